@@ -18,8 +18,8 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build=$root/build
 packages=(g++ cmake make libcgal-dev libcgal-demo libboost-program-options-dev libboost-dev libpng-dev zlib1g-dev libeigen3-dev
           libgmp-dev libmpfr-dev libtbb-dev libopenmesh-dev python3 doxygen)
-# Readers of the program's files in the tests: large packages, which are installed while the compiler runs.
-packages_of_readers=(python3-vtk9 python3-ezdxf python3-svgelements librsvg2-bin)
+# Readers of the program's files in the tests, and clang-format: large packages, which are installed while the compiler runs.
+packages_of_tests=(python3-vtk9 python3-ezdxf python3-svgelements librsvg2-bin clang-format)
 
 as_root()
 {
@@ -90,7 +90,7 @@ unpack_newer_cgal()
   rm -rf "$scratch"
 }
 
-readers=
+installation=
 if command -v dpkg-query >/dev/null; then
   install_missing "${packages[@]}"
   if [ -z "${GEODESIC_OFFSET_DATA_DIR:-}" ]; then
@@ -108,12 +108,12 @@ cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEAS
   -DGEODESIC_OFFSET_NEWER_CGAL_INCLUDE_DIR="$build/newer_cgal/include" \
   -DGEODESIC_OFFSET_DATA_DIR="$GEODESIC_OFFSET_DATA_DIR"
 if command -v dpkg-query >/dev/null; then
-  install_missing "${packages_of_readers[@]}" >"$build/readers.log" 2>&1 &
-  readers=$!
+  install_missing "${packages_of_tests[@]}" >"$build/packages.log" 2>&1 &
+  installation=$!
 fi
 cmake --build "$build" -j "$(nproc)"
-if [ -n "$readers" ] && ! wait "$readers"; then
-  cat "$build/readers.log" >&2
+if [ -n "$installation" ] && ! wait "$installation"; then
+  cat "$build/packages.log" >&2
   exit 1
 fi
 cd "$build"

@@ -31,19 +31,22 @@ namespace {
 
 namespace PMP = CGAL::Polygon_mesh_processing;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Point  = Kernel::Point_3;
+using Point = Kernel::Point_3;
 using Vector = Kernel::Vector_3;
-using Mesh   = CGAL::Surface_mesh<Point>;
+using Mesh = CGAL::Surface_mesh<Point>;
 
-constexpr double pi          = 3.14159265358979323846;
-constexpr double foot        = 0.0;
-constexpr double rim         = 2.42;
-constexpr double cell        = 0.025; // of the grid
+constexpr double pi = 3.14159265358979323846;
+constexpr double foot = 0.0;
+constexpr double rim = 2.42;
+constexpr double cell = 0.025; // of the grid
 constexpr double edge_length = 0.0288;
 
 double bump(double x, double center, double width) { return std::exp(-(x - center) * (x - center) / (width * width)); }
 
-double outer_radius(double y) { return 0.30 + 0.62 * bump(y, 0.92, 0.60) + 0.24 * bump(y, 2.58, 0.32) + 0.20 * bump(y, -0.12, 0.26); }
+double outer_radius(double y)
+{
+  return 0.30 + 0.62 * bump(y, 0.92, 0.60) + 0.24 * bump(y, 2.58, 0.32) + 0.20 * bump(y, -0.12, 0.26);
+}
 double inner_radius(double y) { return outer_radius(y) - 0.085; }
 
 // Divides by the length of the gradient, so that values approximate distances.
@@ -74,7 +77,7 @@ double vase(const Point& p)
   const double outside = smooth_minimum(revolved(p, outer_radius), handle(p), 0.17);
   // negative in the cavity: inside its wall and above its floor, with a rounded transition
   const double cavity = -smooth_minimum(-revolved(p, inner_radius), p.y() - 1.45, 0.25);
-  const double solid  = std::max(outside, -cavity);
+  const double solid = std::max(outside, -cavity);
   return std::max(solid, std::max(foot - 0.06 - p.y(), p.y() - rim - 0.06));
 }
 
@@ -93,9 +96,9 @@ class Marching_tetrahedra
 {
   static constexpr int nx = 112, ny = 106, nz = 84;
 
-  std::vector<double>                            m_values;
-  std::vector<Point>                             m_points;
-  std::vector<std::array<std::size_t, 3>>        m_triangles;
+  std::vector<double> m_values;
+  std::vector<Point> m_points;
+  std::vector<std::array<std::size_t, 3>> m_triangles;
   std::unordered_map<std::uint64_t, std::size_t> m_point_of_edge;
 
   static std::size_t index(int i, int j, int k)
@@ -111,8 +114,7 @@ class Marching_tetrahedra
 
   std::size_t crossing(std::size_t a, std::size_t b)
   {
-    if(a > b)
-      std::swap(a, b);
+    if(a > b) std::swap(a, b);
     const auto inserted = m_point_of_edge.emplace(static_cast<std::uint64_t>(a) * m_values.size() + b, m_points.size());
     if(inserted.second)
     {
@@ -133,8 +135,7 @@ class Marching_tetrahedra
   void add_tetrahedron(const std::array<std::size_t, 4>& t)
   {
     std::vector<std::size_t> in, out;
-    for(std::size_t v : t)
-      (m_values[v] < 0 ? in : out).push_back(v);
+    for(std::size_t v : t) (m_values[v] < 0 ? in : out).push_back(v);
     if(in.size() == 1)
       m_triangles.push_back({crossing(in[0], out[0]), crossing(in[0], out[1]), crossing(in[0], out[2])});
     else if(in.size() == 3)
@@ -152,14 +153,14 @@ public:
   Mesh operator()()
   {
     m_values.resize(index(nx, ny, nz) + 1);
-    for(std::size_t n = 0; n < m_values.size(); ++n)
-      m_values[n] = vase(position(n));
+    for(std::size_t n = 0; n < m_values.size(); ++n) m_values[n] = vase(position(n));
     for(int k = 0; k < nz; ++k)
       for(int j = 0; j < ny; ++j)
         for(int i = 0; i < nx; ++i)
         {
           // paths from one corner to the opposite one, one axis at a time
-          for(const std::array<int, 3>& order : {std::array<int, 3>{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}})
+          for(const std::array<int, 3>& order :
+              {std::array<int, 3>{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}})
           {
             std::array<int, 3> c{i, j, k};
             std::array<std::size_t, 4> tetrahedron{index(i, j, k), 0, 0, 0};
@@ -174,8 +175,7 @@ public:
     PMP::orient_polygon_soup(m_points, m_triangles);
     Mesh mesh;
     PMP::polygon_soup_to_polygon_mesh(m_points, m_triangles, mesh);
-    if(!PMP::is_outward_oriented(mesh))
-      PMP::reverse_face_orientations(mesh);
+    if(!PMP::is_outward_oriented(mesh)) PMP::reverse_face_orientations(mesh);
     return mesh;
   }
 };
@@ -191,8 +191,7 @@ void project(Mesh& mesh)
     {
       p = Point(p.x(), std::abs(p.y() - foot) < 1e-7 ? foot : rim, p.z());
       bool at_edge = false;
-      for(Mesh::Vertex_index w : CGAL::vertices_around_target(v, mesh))
-        at_edge = at_edge || !is_on_cut(mesh.point(w));
+      for(Mesh::Vertex_index w : CGAL::vertices_around_target(v, mesh)) at_edge = at_edge || !is_on_cut(mesh.point(w));
       if(!at_edge)
       {
         mesh.point(v) = p;
@@ -202,8 +201,7 @@ void project(Mesh& mesh)
     for(int i = 0; i < 8; ++i)
     {
       Vector g = gradient(p);
-      if(on_cut)
-        g = Vector(g.x(), 0, g.z());
+      if(on_cut) g = Vector(g.x(), 0, g.z());
       p = p - (vase(p) / g.squared_length()) * g;
     }
     mesh.point(v) = p;

@@ -15,10 +15,10 @@
 #include <iterator>
 #include <string>
 
-typedef CGAL::Exact_predicates_inexact_constructions_kernel           Kernel;
-typedef CGAL::Surface_mesh<Kernel::Point_3>                           Mesh;
-typedef CGAL::Surface_mesh_geodesic_offset_traits<Kernel, Mesh>       Traits;
-typedef CGAL::Surface_mesh_geodesic_offset<Traits>                    Geodesic;
+typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
+typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
+typedef CGAL::Surface_mesh_geodesic_offset_traits<Kernel, Mesh> Traits;
+typedef CGAL::Surface_mesh_geodesic_offset<Traits> Geodesic;
 
 int main(int argc, char* argv[])
 {

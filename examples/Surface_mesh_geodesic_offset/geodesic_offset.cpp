@@ -57,34 +57,28 @@ Mesh_input load(const Options& options, Run_figures& figures, Progress& progress
   figures.load_seconds = time.seconds();
   progress.line("mesh: " + counted(figures.vertices, "vertex", "vertices") + ", " + counted(figures.faces, "face"),
                 figures.load_seconds);
-  for(const std::string& remark : input.remarks())
-    progress.line("mesh: " + remark);
-  if(!input.warning().empty())
-    progress.warning(input.warning());
+  for(const std::string& remark : input.remarks()) progress.line("mesh: " + remark);
+  if(!input.warning().empty()) progress.warning(input.warning());
   check_length("tolerance", options.tolerance, input.bounding_box_diagonal());
   return input;
 }
 
 void report(const Moved_points& moved, const Mesh_input& input, const std::string& kind, Progress& progress)
 {
-  if(const std::string remark = moved.remark(); !remark.empty())
-    progress.line(kind + ": " + remark);
-  if(const std::string far = moved.warning(input.bounding_box_diagonal()); !far.empty())
-    progress.warning(far);
+  if(const std::string remark = moved.remark(); !remark.empty()) progress.line(kind + ": " + remark);
+  if(const std::string far = moved.warning(input.bounding_box_diagonal()); !far.empty()) progress.warning(far);
 }
 
 Sources find_sources(const Mesh_input& input, const Options& options, Geodesic& geodesic, Progress& progress)
 {
   Sources sources(input, options, geodesic.mesh());
   sources.add_to(geodesic);
-  for(const std::string& remark : sources.remarks())
-    progress.line("sources: " + remark);
+  for(const std::string& remark : sources.remarks()) progress.line("sources: " + remark);
   report(sources.moved_points(), input, "sources", progress);
   if(options.maximum_distance && *options.maximum_distance <= sources.smallest_start_value())
     throw Input_error("--maximum-distance " + short_number(*options.maximum_distance) +
                       " leaves no distances: the smallest --start-value is " + short_number(sources.smallest_start_value()));
-  if(const std::string useless = useless_side(options, sources); !useless.empty())
-    progress.warning(useless);
+  if(const std::string useless = useless_side(options, sources); !useless.empty()) progress.warning(useless);
   return sources;
 }
 
@@ -97,7 +91,8 @@ Levels plan_levels(const Mesh_input& input, const Sources& sources, Geodesic& ge
     geodesic.build(CGAL::parameters::compute_largest_distance(true).concurrency_tag(Concurrency_tag()));
     return geodesic.largest_distance();
   };
-  Levels levels(options, input.bounding_box_diagonal(), [&] { return bound_of_reach(input.mesh(), sources); }, exact_reach);
+  Levels levels(
+    options, input.bounding_box_diagonal(), [&] { return bound_of_reach(input.mesh(), sources); }, exact_reach);
   if(!levels.empty())
     progress.line("offsets: at " + std::string(levels.is_open_ended() ? "no more than " : "") +
                   counted(levels.size(), "distance"));
@@ -107,9 +102,9 @@ Levels plan_levels(const Mesh_input& input, const Sources& sources, Geodesic& ge
 // Results of the first build; the picture may need another one.
 struct Solution
 {
-  Offsets              offsets;
+  Offsets offsets;
   Geodesic::Statistics statistics;
-  File_field           field;
+  File_field field;
 };
 
 template <class Concurrency_tag>
@@ -137,8 +132,8 @@ Solution solve(const Mesh_input& input, const Sources& sources, const Levels& le
 
   const bool is_complete = figures.largest_distance < figures.covered_distance;
   progress.line("distances: " + std::string(is_complete ? "up to " : "computed up to ") +
-                  short_number(figures.largest_distance) + ", " +
-                  counted(geodesic.statistics().windows_propagated, "window") + " propagated",
+                  short_number(figures.largest_distance) + ", " + counted(geodesic.statistics().windows_propagated, "window") +
+                  " propagated",
                 time.seconds());
   if(options.has_tolerance())
     progress.line("distances: smaller than the exact ones by at most " + short_number(geodesic.statistics().error_bound));
@@ -147,8 +142,8 @@ Solution solve(const Mesh_input& input, const Sources& sources, const Levels& le
   if(!levels.empty())
     progress.line("offsets: " + counted(offsets.number_of_curves(), "curve") + " at " +
                   counted(offsets.levels.size(), "distance"));
-  for(const std::string& reason : missing_offsets(options, levels, offsets.levels, sources.smallest_start_value(),
-                                                  figures.largest_distance))
+  for(const std::string& reason :
+      missing_offsets(options, levels, offsets.levels, sources.smallest_start_value(), figures.largest_distance))
     progress.warning(reason);
   return {std::move(offsets), geodesic.statistics(), std::move(field)};
 }
@@ -173,13 +168,15 @@ void write(const Solution& solution, const Mesh_input& input, const Sources& sou
   const Stopwatch time;
   const std::string not_drawn = add_curve_files(files, options, solution.offsets, chord_tolerance(options, input));
   if(!options.field.empty())
-    files.add(options.field, [&](std::ostream& out) { write_field(out, options.field, input.soup(), solution.field); },
-              bytes_of_field(options.field, input.soup(), solution.field));
+    files.add(
+      options.field, [&](std::ostream& out) { write_field(out, options.field, input.soup(), solution.field); },
+      bytes_of_field(options.field, input.soup(), solution.field));
   if(!options.split.empty())
   {
     progress.show("splitting " + quoted(options.mesh));
     const Split_mesh split(input.mesh(), geodesic, curves, chord_tolerance(options, input));
-    files.add(options.split, [&](std::ostream& out) { split.write(out); }, split.number_of_bytes());
+    files.add(
+      options.split, [&](std::ostream& out) { split.write(out); }, split.number_of_bytes());
   }
   if(!options.voronoi.empty())
     add_voronoi_files(files, options.voronoi, input.mesh(), geodesic, chord_tolerance(options, input), progress);
@@ -197,19 +194,16 @@ void write(const Solution& solution, const Mesh_input& input, const Sources& sou
       write_stats(out, figures, solution.statistics, with_requested(solution.offsets.levels, options.distances));
     });
   files.commit();
-  for(const std::string& file : files.targets())
-    progress.line("wrote " + file);
+  for(const std::string& file : files.targets()) progress.line("wrote " + file);
   progress.line("outputs written", time.seconds());
-  if(!not_drawn.empty())
-    throw Input_error(not_drawn);
+  if(!not_drawn.empty()) throw Input_error(not_drawn);
 }
 
 template <class Concurrency_tag>
 void run(const Options& options, Concurrency_tag tag)
 {
   Progress progress(options.quiet);
-  for(const std::string& file : options.files_written())
-    Output_files::check(file);
+  for(const std::string& file : options.files_written()) Output_files::check(file);
 
   Run_figures figures;
   figures.threads = number_of_working_threads(tag);
@@ -235,7 +229,7 @@ void run(const Options& options, Concurrency_tag tag)
   catch(const std::bad_alloc&)
   {
     throw Input_error(quoted(options.mesh) + ": out of memory; fewer distances, a --maximum-distance, fewer --threads or a "
-                      "coarser mesh need less");
+                                             "coarser mesh need less");
   }
 }
 

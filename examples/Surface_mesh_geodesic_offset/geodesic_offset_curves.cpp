@@ -14,8 +14,8 @@
 #include <iterator>
 #include <vector>
 
-typedef CGAL::Exact_predicates_inexact_constructions_kernel::Point_3  Point;
-typedef CGAL::Surface_mesh<Point>                                     Mesh;
+typedef CGAL::Exact_predicates_inexact_constructions_kernel::Point_3 Point;
+typedef CGAL::Surface_mesh<Point> Mesh;
 
 int main(int argc, char* argv[])
 {

@@ -13,11 +13,11 @@
 #include <iterator>
 #include <vector>
 
-typedef CGAL::Exact_predicates_inexact_constructions_kernel           Kernel;
-typedef Kernel::Point_3                                               Point;
-typedef CGAL::Surface_mesh<Point>                                     Mesh;
-typedef CGAL::Surface_mesh_geodesic_offset_traits<Kernel, Mesh>       Traits;
-typedef CGAL::Surface_mesh_geodesic_offset<Traits>                    Geodesic;
+typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
+typedef Kernel::Point_3 Point;
+typedef CGAL::Surface_mesh<Point> Mesh;
+typedef CGAL::Surface_mesh_geodesic_offset_traits<Kernel, Mesh> Traits;
+typedef CGAL::Surface_mesh_geodesic_offset<Traits> Geodesic;
 
 int main(int argc, char* argv[])
 {

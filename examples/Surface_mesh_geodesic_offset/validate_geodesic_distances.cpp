@@ -42,8 +42,8 @@ Distance_table read_table(const Validation_options& options, const Mesh_input& i
   const std::size_t vertices = input.soup().points.size();
   const File_bytes bytes(options.distances);
   Distance_table table = has_extension(options.distances, ".ply")
-                           ? Ply_table_reader(options.distances, options.mesh, vertices)(bytes.view(), options.property)
-                           : Text_table_reader(options.distances, options.mesh, vertices)(bytes.view());
+                         ? Ply_table_reader(options.distances, options.mesh, vertices)(bytes.view(), options.property)
+                         : Text_table_reader(options.distances, options.mesh, vertices)(bytes.view());
   require_same_points(table, input, options.mesh);
   return table;
 }
@@ -71,14 +71,12 @@ Enclosure enclosure_on(const Mesh_input& input, const std::string& path)
 
 int validate(const Validation_options& options)
 {
-  if(!options.per_vertex.empty())
-    Output_files::check(options.per_vertex);
+  if(!options.per_vertex.empty()) Output_files::check(options.per_vertex);
   require_numbered_vertices(options.mesh);
   const Mesh_input input(options.mesh, false);
   require_unchanged_vertices(input, options.mesh);
   const Distance_table table = read_table(options, input); // before the long computation
-  if(!input.warning().empty())
-    print_warning("validate_geodesic_distances", input.warning());
+  if(!input.warning().empty()) print_warning("validate_geodesic_distances", input.warning());
 
   Enclosure enclosure = enclosure_on(input, options.mesh);
   const Sources sources(input, options, enclosure.mesh());
@@ -91,23 +89,18 @@ int validate(const Validation_options& options)
 
   Output_files files;
   if(!options.per_vertex.empty())
-    files.add(options.per_vertex, [&](std::ostream& out) {
-      write_per_vertex(out, bounds, table.distances, comparison.errors);
-    });
+    files.add(options.per_vertex,
+              [&](std::ostream& out) { write_per_vertex(out, bounds, table.distances, comparison.errors); });
   std::cout << "mesh: " << quoted(options.mesh) << ", " << counted(bounds.size(), "vertex", "vertices") << ", "
             << counted(input.soup().polygons.size(), "face") << '\n';
-  for(const std::string& remark : input.remarks())
-    std::cout << "mesh: " << remark << '\n';
+  for(const std::string& remark : input.remarks()) std::cout << "mesh: " << remark << '\n';
   if(const std::size_t unused = number_of_unused_vertices(input))
     std::cout << "mesh: " << counted(unused, "vertex", "vertices") << " without faces, infinitely far away\n";
   if(!vertices_of_double_borders(input.mesh()).empty())
     std::cout << "mesh: some border edges are at the same place; they are not joined\n";
-  for(const std::string& remark : sources.remarks())
-    std::cout << "sources: " << remark << '\n';
-  if(const std::string moved = sources.moved_points().remark(); !moved.empty())
-    std::cout << "sources: " << moved << '\n';
-  std::cout << "sources: " << counted(enclosure.number_of_sources(), "source") << '\n'
-            << "distances: " << table.name << '\n';
+  for(const std::string& remark : sources.remarks()) std::cout << "sources: " << remark << '\n';
+  if(const std::string moved = sources.moved_points().remark(); !moved.empty()) std::cout << "sources: " << moved << '\n';
+  std::cout << "sources: " << counted(enclosure.number_of_sources(), "source") << '\n' << "distances: " << table.name << '\n';
   Report_writer(std::cout, comparison)(bounds, table.distances, options.tolerance);
   check_standard_output();
   files.commit();

@@ -65,12 +65,9 @@ void write_input(const Offset_validation_options& options, const Mesh_input& inp
                  const Curves_on_surface& curves, std::size_t number_of_sources)
 {
   std::cout << "mesh: " << quoted(options.mesh) << ", " << counted(input.mesh().number_of_faces(), "face") << '\n';
-  for(const std::string& remark : input.remarks())
-    std::cout << "mesh: " << remark << '\n';
-  for(const std::string& remark : sources.remarks())
-    std::cout << "sources: " << remark << '\n';
-  if(const std::string moved = sources.moved_points().remark(); !moved.empty())
-    std::cout << "sources: " << moved << '\n';
+  for(const std::string& remark : input.remarks()) std::cout << "mesh: " << remark << '\n';
+  for(const std::string& remark : sources.remarks()) std::cout << "sources: " << remark << '\n';
+  if(const std::string moved = sources.moved_points().remark(); !moved.empty()) std::cout << "sources: " << moved << '\n';
   std::cout << "sources: " << counted(number_of_sources, "source") << '\n'
             << "curves: " << counted(curves.curves().size(), "curve") << ", " << counted(curves.number_of_points(), "point")
             << ", moved by " << short_number(curves.moved()) << " at most to the surface\n"
@@ -80,8 +77,7 @@ void write_input(const Offset_validation_options& options, const Mesh_input& inp
 int validate(const Offset_validation_options& options)
 {
   const Mesh_input input(options.mesh, options.stitch);
-  if(!input.warning().empty())
-    print_warning("validate_geodesic_offsets", input.warning());
+  if(!input.warning().empty()) print_warning("validate_geodesic_offsets", input.warning());
   Enclosure enclosure = enclosure_on(input, options.mesh);
   const Curves_on_surface curves(enclosure.mesh(), options.curves); // before the long work
   const Sources sources(input, options, enclosure.mesh());
@@ -101,7 +97,8 @@ int validate(const Offset_validation_options& options)
   const Certificate certificate = certificate_of(enclosure, options, curves);
   write_input(options, input, sources, curves, enclosure.number_of_sources()); // after all that may fail
   Certificate_writer(std::cout, input.mesh(), curves)(certificate, diagonal);
-  const bool is_accepted = options.tolerance ? certificate.tolerance <= *options.tolerance : std::isfinite(certificate.tolerance);
+  const bool is_accepted =
+    options.tolerance ? certificate.tolerance <= *options.tolerance : std::isfinite(certificate.tolerance);
   return certificate.bounds_region && is_accepted ? certified : not_certified;
 }
 

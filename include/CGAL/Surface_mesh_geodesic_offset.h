@@ -480,8 +480,7 @@ public:
     const bool can_grow = b.is_whole() && !b.is_approximate() && (b.kept || !r.finds_farthest);
     const auto sources = classified_sources();
     const bool grows = can_grow && sources.extends(b.sources);
-    const auto fresh =
-      grows ? std::make_shared<Build>(b, sources, r) : std::make_shared<Build>(data().unfolded(), sources, r);
+    const auto fresh = grows ? std::make_shared<Build>(b, sources, r) : std::make_shared<Build>(data().unfolded(), sources, r);
     fresh->template propagate<internal::Concurrency_tag_of<NamedParameters>, true>(data().traits);
     internal::report(fresh->statistics, np);
     if (!fresh->is_cancelled) m_field = field_of(fresh);
@@ -544,8 +543,8 @@ public:
     const auto wanted = internal::offset_levels<Surface>(levels);
     const auto fresh = std::make_shared<Build>(data().unfolded(), classified_sources(), request(np));
     constexpr bool may_search = internal::has_parameter<internal_np::geodesic_compute_largest_distance_t, NamedParameters>;
-    internal::propagate_and_cut<internal::Concurrency_tag_of<NamedParameters>, may_search>(
-      data(), *fresh, wanted, internal::Offset_selection(np), f);
+    internal::propagate_and_cut<internal::Concurrency_tag_of<NamedParameters>, may_search>(data(), *fresh, wanted,
+                                                                                           internal::Offset_selection(np), f);
     internal::report(fresh->statistics, np);
     m_field = field_of(fresh);
   }
@@ -570,7 +569,10 @@ public:
 
   /// forwards to `Geodesic_distance_field::distance_to_sources()`.
   template <class Location>
-  FT distance_to_sources(const Location& location) const { return field().distance_to_sources(location); }
+  FT distance_to_sources(const Location& location) const
+  {
+    return field().distance_to_sources(location);
+  }
 
   /// forwards to `Geodesic_distance_field::signed_distance_to_sources()`.
   template <class Location>
@@ -588,18 +590,27 @@ public:
 
   /// forwards to `Geodesic_distance_field::gradient()`.
   template <class Location>
-  Vector_3 gradient(const Location& location) const { return field().gradient(location); }
+  Vector_3 gradient(const Location& location) const
+  {
+    return field().gradient(location);
+  }
 
   /// forwards to `Geodesic_distance_field::error_bound()`.
   FT error_bound(vertex_descriptor v) const { return field().error_bound(v); }
 
   /// forwards to `Geodesic_distance_field::vertex_distances()`.
   template <class VertexDistanceMap>
-  void vertex_distances(VertexDistanceMap map) const { return Field(field()).vertex_distances(map); }
+  void vertex_distances(VertexDistanceMap map) const
+  {
+    return Field(field()).vertex_distances(map);
+  }
 
   /// forwards to `Geodesic_distance_field::source_labels()`.
   template <class VertexLabelMap>
-  void source_labels(VertexLabelMap map) const { return Field(field()).source_labels(map); }
+  void source_labels(VertexLabelMap map) const
+  {
+    return Field(field()).source_labels(map);
+  }
 
   /// forwards to `Geodesic_distance_field::largest_vertex_distance()`.
   FT largest_vertex_distance() const { return field().largest_vertex_distance(); }
@@ -705,7 +716,10 @@ public:
 
   /// forwards to `Geodesic_mesh::sharp_edges()`.
   template <class OutputIterator>
-  OutputIterator sharp_edges(double angle, OutputIterator out) const { return m_mesh.sharp_edges(angle, out); }
+  OutputIterator sharp_edges(double angle, OutputIterator out) const
+  {
+    return m_mesh.sharp_edges(angle, out);
+  }
   /// @}
 
 private:
@@ -724,8 +738,9 @@ private:
   template <class NamedParameters>
   Request request(const NamedParameters& np) const
   {
-    return Geodesic_offset::internal::with_graded_distances(
-      data().surface(), Request::read(np, [this](const auto& t) { return data().classified(t); }));
+    return Geodesic_offset::internal::with_graded_distances(data().surface(), Request::read(np, [this](const auto& t) {
+                                                              return data().classified(t);
+                                                            }));
   }
 
   Field field_of(const std::shared_ptr<const Build>& build) const

@@ -36,9 +36,9 @@ struct Known_source
 
   std::size_t add_to(Geodesic& geodesic) const
   {
-    return kind == POINT      ? geodesic.add_source_point(locations.front())
-           : kind == POLYLINE ? geodesic.add_source_polyline(locations, is_closed)
-                              : geodesic.add_source_edges(edges);
+    return kind == POINT    ? geodesic.add_source_point(locations.front())
+         : kind == POLYLINE ? geodesic.add_source_polyline(locations, is_closed)
+                            : geodesic.add_source_edges(edges);
   }
 
   std::size_t number_of_segments() const { return locations.size() - (is_closed ? 0 : 1); }
@@ -46,25 +46,24 @@ struct Known_source
 };
 
 /// Kinds of faults. Each query counts once per kind.
-enum Answer_fault
-{
-  WRONG_LENGTH,       // the path is not as long as the distance
-  WRONG_START,        // the path does not start at the point, or leaves the surface
-  WRONG_END,          // the path does not end at the nearest point, or this is not on the part of the source
-  REPEATED_POINT,     // two consecutive points of a path are equal
-  WRONG_SIDE,         // the side is not one of the part, or not where the path arrives
-  WRONG_SIGN,         // the sign of the signed distance is not that of the side
-  WRONG_GRADIENT,     // not a unit vector against the path
-  WRONG_DISTANCE,     // in the plane
-  WRONG_LABEL,        // of a vertex
-  WRONG_FORM,         // the forms of the path differ
+enum Answer_fault {
+  WRONG_LENGTH,   // the path is not as long as the distance
+  WRONG_START,    // the path does not start at the point, or leaves the surface
+  WRONG_END,      // the path does not end at the nearest point, or this is not on the part of the source
+  REPEATED_POINT, // two consecutive points of a path are equal
+  WRONG_SIDE,     // the side is not one of the part, or not where the path arrives
+  WRONG_SIGN,     // the sign of the signed distance is not that of the side
+  WRONG_GRADIENT, // not a unit vector against the path
+  WRONG_DISTANCE, // in the plane
+  WRONG_LABEL,    // of a vertex
+  WRONG_FORM,     // the forms of the path differ
   NUMBER_OF_ANSWER_FAULTS
 };
 
 inline const char* name_of(Answer_fault fault)
 {
-  static const char* const names[NUMBER_OF_ANSWER_FAULTS] = {"length", "start", "end", "repeated", "side",
-                                                             "sign", "gradient", "distance", "label", "form"};
+  static const char* const names[NUMBER_OF_ANSWER_FAULTS] = {"length", "start",    "end",      "repeated", "side",
+                                                             "sign",   "gradient", "distance", "label",    "form"};
   return names[fault];
 }
 
@@ -239,12 +238,14 @@ private:
       const Known_source& s = entry.second;
       if (s.kind == Known_source::EDGES)
         for (auto e : s.edges)
-          expected = (std::min)(
-            expected, distance_to_segment(p, vertex_point(mesh_.vertex(e, 0)), vertex_point(mesh_.vertex(e, 1))));
+          expected =
+            (std::min)(expected, distance_to_segment(p, vertex_point(mesh_.vertex(e, 0)), vertex_point(mesh_.vertex(e, 1))));
       else
         for (std::size_t i = 0; i < s.locations.size(); ++i)
-          expected = (std::min)(expected, distance_to_segment(p, point(s.locations[i]),
-                                                              point(s.locations[s.is_closed ? s.after(i) : (std::min)(i + 1, s.locations.size() - 1)])));
+          expected = (std::min)(
+            expected,
+            distance_to_segment(p, point(s.locations[i]),
+                                point(s.locations[s.is_closed ? s.after(i) : (std::min)(i + 1, s.locations.size() - 1)])));
     }
     const double error = double(std::abs(d - expected) / (expected + longest_edge_));
     worst_distance = (std::max)(worst_distance, error);
@@ -319,7 +320,8 @@ private:
       if (!nearest.is_segment)
       {
         const bool is_one = nearest.part < num_vertices(mesh_);
-        expect(is_one && distance(p, vertex_point(Vertex_index(std::uint32_t(nearest.part)))) <= rounding, WRONG_END, "vertex of edges");
+        expect(is_one && distance(p, vertex_point(Vertex_index(std::uint32_t(nearest.part)))) <= rounding, WRONG_END,
+               "vertex of edges");
         return;
       }
       if (nearest.part >= source.edges.size()) return expect(false, WRONG_END, "no such edge");
@@ -332,8 +334,8 @@ private:
     const std::size_t parts = nearest.is_segment ? source.number_of_segments() : n;
     if (nearest.part >= parts) return expect(false, WRONG_END, "no such part");
     const Point a = point(source.locations[nearest.part]);
-    const Number off = nearest.is_segment ? distance_to_segment(p, a, point(source.locations[source.after(nearest.part)]))
-                                          : distance(p, a);
+    const Number off =
+      nearest.is_segment ? distance_to_segment(p, a, point(source.locations[source.after(nearest.part)])) : distance(p, a);
     expect(off <= rounding, WRONG_END,
            (nearest.is_segment ? "off the segment by " : "off the point by ") + number(double(off)));
   }
@@ -349,7 +351,8 @@ private:
     for (std::size_t i = 0; i < source.number_of_segments(); ++i)
     {
       const Face_location &p = l[i], &q = l[source.after(i)];
-      const std::vector<Vertex_index> elements[] = {element(p, 0.9e-13), element(p, 1.1e-13), element(q, 0.9e-13), element(q, 1.1e-13)};
+      const std::vector<Vertex_index> elements[] = {element(p, 0.9e-13), element(p, 1.1e-13), element(q, 0.9e-13),
+                                                    element(q, 1.1e-13)};
       if (elements[0] != elements[1] || elements[2] != elements[3]) return IS_OPEN;
       if (elements[0] != elements[2]) return HAS_SIDES;
       if (elements[0].size() > 1) size += distance(point(p), point(q));
@@ -455,9 +458,9 @@ private:
   void check_sign(CGAL::Source_side side, double d, double signed_d)
   {
     const bool is_lateral = side == CGAL::Source_side::LEFT || side == CGAL::Source_side::RIGHT;
-    const bool is_right = d == 0        ? signed_d == 0
-                          : !is_lateral ? std::isnan(signed_d)
-                                        : signed_d == (side == CGAL::Source_side::LEFT ? -d : d);
+    const bool is_right = d == 0      ? signed_d == 0
+                        : !is_lateral ? std::isnan(signed_d)
+                                      : signed_d == (side == CGAL::Source_side::LEFT ? -d : d);
     expect(is_right, WRONG_SIGN, "signed distance " + number(signed_d) + ", side " + std::to_string(int(side)));
   }
 

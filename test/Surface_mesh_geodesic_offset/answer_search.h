@@ -50,7 +50,8 @@ public:
   /// Up to `printed` faults are written to `log`; with `describes`, sources, query and path, too.
   Answer_search(std::ostream& log, std::size_t printed, std::size_t queries, Sources sources, bool describes = false)
     : log_(log), printed_(printed), queries_(queries), kind_of_sources_(sources), describes_(describes)
-  {}
+  {
+  }
 
   /// Runs the case that a seed determines: a mesh, its sources and its queries.
   void run(unsigned seed)
@@ -100,16 +101,19 @@ private:
     const std::size_t n = size * (1 + uniform_index(random_, 6)), m = size * (1 + uniform_index(random_, 5));
     switch (uniform_index(random_, 17))
     {
-    case 0: return flat("grids", planar_grid(n, m, uniform(random_) < 0.5 ? Diagonals::forward : Diagonals::random, 1, 0, seed));
+    case 0:
+      return flat("grids", planar_grid(n, m, uniform(random_) < 0.5 ? Diagonals::forward : Diagonals::random, 1, 0, seed));
     case 1: return flat("union flags", planar_grid(n, m, Diagonals::alternating));
     case 2: return flat("jittered grids", jittered_grid(n, m, seed));
     case 3: return flat("rectangles", random_rectangle(uniform(random_, 0.5, 2), 1, uniform_index(random_, 25), n, seed));
-    case 4: return flat("needles", random_rectangle(1, std::pow(10, uniform(random_, -5, -1)), uniform_index(random_, 20), n, seed));
+    case 4:
+      return flat("needles", random_rectangle(1, std::pow(10, uniform(random_, -5, -1)), uniform_index(random_, 20), n, seed));
     case 5: return other("cones", Cone(3 + n, uniform(random_, 2, 6), 1).triangulated(n, m - 1, seed));
     case 6: return other("saddles", Cone(2 * (2 + n), uniform(random_, 6.5, 12), 1).triangulated(n, m - 1, seed));
     case 7: return other("open cones", Cone(3 + n, uniform(random_, 3, 9), 1, true).triangulated(m, m - 1, seed));
     case 8: return other("L shapes", l_shape(uniform_index(random_, 15), uniform_index(random_, 4), seed));
-    case 9: return other("boxes", box_sides(1, uniform(random_, 0.1, 1), uniform(random_, 0.1, 1)).triangulated(n, m - 1, seed));
+    case 9:
+      return other("boxes", box_sides(1, uniform(random_, 0.1, 1), uniform(random_, 0.1, 1)).triangulated(n, m - 1, seed));
     case 10: return other("cubes", cube_grid(1 + uniform_index(random_, 3)));
     case 11: return other("tetrahedra", tetrahedron_sides().triangulated(n, m - 1, seed));
     case 12: return other("spheres", icosphere(uniform_index(random_, 2)));
@@ -144,12 +148,17 @@ private:
     switch (uniform_index(random_, 8))
     {
     case 0: return in_place("needle fans", needle_fan(3 + 20 * uniform_index(random_, 40)), as_is);
-    case 1: return in_place("graded discs", graded_disc(6 + 4 * n, uniform(random_, 4, 9), uniform(random_, 0, 0.3), seed), as_is);
+    case 1:
+      return in_place("graded discs", graded_disc(6 + 4 * n, uniform(random_, 4, 9), uniform(random_, 0, 0.3), seed), as_is);
     case 2:
-      return in_place("crumpled needles", crumpled_needles(std::pow(10, uniform(random_, -5, -1)), std::pow(10, uniform(random_, -6, -2)), 3 * n, seed), as_is);
+      return in_place(
+        "crumpled needles",
+        crumpled_needles(std::pow(10, uniform(random_, -5, -1)), std::pow(10, uniform(random_, -6, -2)), 3 * n, seed), as_is);
     case 3: return in_place("floats", any(), to_float);
     case 4: return in_place("floats", jittered_grid(n, m, seed), to_float);
-    case 5: return in_place("far away", any(), [far](const Point_3& p) { return Point_3(p.x() + far, p.y() - far, p.z() + 2 * far); });
+    case 5:
+      return in_place("far away", any(),
+                      [far](const Point_3& p) { return Point_3(p.x() + far, p.y() - far, p.z() + 2 * far); });
     case 6:
       is_flat = true;
       return in_place("rectangles", random_rectangle(1, std::pow(10, uniform(random_, -4, 0)), 3 * n, m, seed), as_is);
@@ -258,11 +267,13 @@ private:
       for (std::size_t k = 0, m = 2 + uniform_index(random_, 3); k < m; ++k)
       {
         const double a = std::pow(10, uniform(random_, -12.6, -6)), t = uniform(random_);
-        source.locations.push_back(uniform(random_) < 0.7 ? Face_location(f, turned(a, t * (1 - a), 1 - a - t * (1 - a))) : anywhere());
+        source.locations.push_back(uniform(random_) < 0.7 ? Face_location(f, turned(a, t * (1 - a), 1 - a - t * (1 - a)))
+                                                          : anywhere());
         source.locations.back().first = f;
       }
       source.is_closed = source.locations.size() > 2 && uniform(random_) < 0.4;
-      if (uniform(random_) < 0.15) source.locations.insert(source.locations.end(), source.locations.rbegin() + 1, source.locations.rend());
+      if (uniform(random_) < 0.15)
+        source.locations.insert(source.locations.end(), source.locations.rbegin() + 1, source.locations.rend());
       result.push_back(source);
     }
     if (uniform(random_) < 0.3) result.push_back(point_source(any_location(0.5)));
@@ -289,7 +300,8 @@ private:
   {
     const Face_index f = checker_->locations().common_face(a, b);
     Geodesic::Barycentric_coordinates u, v;
-    if (f == Surface_mesh::null_face() || !checker_->locations().express(a, f, u) || !checker_->locations().express(b, f, v)) return false;
+    if (f == Surface_mesh::null_face() || !checker_->locations().express(a, f, u) || !checker_->locations().express(b, f, v))
+      return false;
     result = Face_location(f, {0, 0, 0});
     for (std::size_t k = 0; k < 3; ++k) result.second[k] = (1 - t) * u[k] + t * v[k];
     return true;
@@ -395,7 +407,8 @@ private:
       default: // a part from inside a segment to inside a segment
         other.locations.assign(l.begin() + std::ptrdiff_t(first), l.begin() + std::ptrdiff_t(first + number));
         Face_location inside;
-        if (number > 1 && between(other.locations[0], other.locations[1], uniform(random_, 0.1, 0.9), inside)) other.locations[0] = inside;
+        if (number > 1 && between(other.locations[0], other.locations[1], uniform(random_, 0.1, 0.9), inside))
+          other.locations[0] = inside;
         break;
       }
       result.push_back(other);
@@ -409,7 +422,8 @@ private:
     std::vector<Surface_mesh::Edge_index> result;
     for (std::size_t i = 0; i + 1 < source.locations.size(); ++i)
     {
-      const auto a = checker_->locations().support(source.locations[i]), b = checker_->locations().support(source.locations[i + 1]);
+      const auto a = checker_->locations().support(source.locations[i]),
+                 b = checker_->locations().support(source.locations[i + 1]);
       if (a.size() != 1 || b.size() != 1) continue;
       const Halfedge_index h = mesh_->halfedge(a[0].first, b[0].first);
       if (h != Surface_mesh::null_halfedge()) result.push_back(mesh_->edge(h));
@@ -452,8 +466,9 @@ private:
     const std::vector<Known_source> list =
       kind_of_sources_ == SPREAD       ? spread_sources(geodesic, counts)
       : kind_of_sources_ == COINCIDING ? coinciding_sources(geodesic, counts)
-      : kind_of_sources_ == IN_FACES   ? sources_in_faces()
-                                       : sources_beside(geodesic, counts);
+      : kind_of_sources_ == IN_FACES
+        ? sources_in_faces()
+        : sources_beside(geodesic, counts);
     std::map<std::size_t, Known_source> sources;
     for (const Known_source& s : list) sources[s.add_to(geodesic)] = s;
     geodesic.build(CGAL::parameters::keep_windows(true));
@@ -464,15 +479,16 @@ private:
       const double choice = uniform(random_);
       const bool is_vertex = choice < 0.15;
       const Vertex_index v(std::uint32_t(uniform_index(random_, num_vertices(*mesh_))));
-      const Face_location query = choice < 0.35                                          ? on_lattice()
-                                  : choice < (kind_of_sources_ == SPREAD ? 0.45 : 0.65) ? at_source(sources)
-                                  : kind_of_sources_ == BESIDE                           ? closely_beside()
-                                  : kind_of_sources_ == IN_FACES                         ? beyond_edge(vertex_of(sources))
-                                  : choice < 0.75                                        ? beside_boundary()
-                                                                                         : anywhere();
+      const Face_location query =
+        choice < 0.35                                         ? on_lattice()
+        : choice < (kind_of_sources_ == SPREAD ? 0.45 : 0.65) ? at_source(sources)
+        : kind_of_sources_ == BESIDE                          ? closely_beside()
+        : kind_of_sources_ == IN_FACES                        ? beyond_edge(vertex_of(sources))
+        : choice < 0.75                                       ? beside_boundary()
+                                                              : anywhere();
       if (is_vertex && mesh_->is_isolated(v)) continue;
-      const unsigned faults = is_vertex ? checker_->check_vertex(geodesic, sources, v, labels[v])
-                                        : checker_->check(geodesic, sources, query);
+      const unsigned faults =
+        is_vertex ? checker_->check_vertex(geodesic, sources, v, labels[v]) : checker_->check(geodesic, sources, query);
       ++counts.queries;
       if (faults == 0) continue;
       ++counts.wrong;
@@ -489,7 +505,8 @@ private:
     const auto write = [&](const Face_location& l) {
       log_ << "    face " << std::size_t(l.first) << " of vertices";
       for (Vertex_index v : checker_->locations().corners(l.first)) log_ << ' ' << std::size_t(v);
-      log_ << ": " << l.second[0] << ' ' << l.second[1] << ' ' << l.second[2] << "   at " << checker_->locations().point(l) << '\n';
+      log_ << ": " << l.second[0] << ' ' << l.second[1] << ' ' << l.second[2] << "   at " << checker_->locations().point(l)
+           << '\n';
     };
     for (const auto& s : sources)
     {

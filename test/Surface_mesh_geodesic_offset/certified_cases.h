@@ -81,14 +81,29 @@ public:
     const std::size_t n = c.index(4);
     switch (seed % 8)
     {
-    case 0: c.use("random patch", random_rectangle(2, 1, 3 + n, 1, seed)); c.crumple(c.number(0, 1)); break;
+    case 0:
+      c.use("random patch", random_rectangle(2, 1, 3 + n, 1, seed));
+      c.crumple(c.number(0, 1));
+      break;
     case 1: c.use("disc", graded_disc(9 + 3 * n, c.number(0, 3), c.number(0, 1), seed)); break;
-    case 2: c.use("torus", torus(3 + n % 2, 3, 1, c.number(0.1, 0.6))); c.crumple(0.1); break;
-    case 3: c.use("octasphere", icosphere(0)); c.crumple(c.number(0, 0.5)); break;
+    case 2:
+      c.use("torus", torus(3 + n % 2, 3, 1, c.number(0.1, 0.6)));
+      c.crumple(0.1);
+      break;
+    case 3:
+      c.use("octasphere", icosphere(0));
+      c.crumple(c.number(0, 0.5));
+      break;
     case 4: c.use("crumpled needles", crumpled_needles(std::pow(10, -c.number(0, 4)), 0.1, 4 + n, seed)); break;
-    case 5: c.use("grid", planar_grid(2 + n % 2, 2 + n / 2, Diagonals::alternating)); c.crumple(c.number(0, 0.4)); break;
+    case 5:
+      c.use("grid", planar_grid(2 + n % 2, 2 + n / 2, Diagonals::alternating));
+      c.crumple(c.number(0, 0.4));
+      break;
     case 6: c.use("cone", rotated(Cone(6, c.number(0.5, 6), 1).triangulated(2, 1, seed), seed)); break;
-    default: c.use("saddle fan", saddle_fan(4 + n, c.number(2.1, 5) * CGAL_PI)); c.grow(4 + n); break;
+    default:
+      c.use("saddle fan", saddle_fan(4 + n, c.number(2.1, 5) * CGAL_PI));
+      c.grow(4 + n);
+      break;
     }
     c.add_any_source();
     return c.finished();
@@ -204,8 +219,8 @@ private:
     const std::size_t first = a, n = 3 + index(7);
     for (std::size_t i = 0; i < n; ++i)
     {
-      const std::size_t c = add((i + 2.) * width * number(0.5, 1), one_of(2) ? 1 - number(0, 0.1) : number(0, 1),
-                                noise * number(-1, 1));
+      const std::size_t c =
+        add((i + 2.) * width * number(0.5, 1), one_of(2) ? 1 - number(0, 0.1) : number(0, 1), noise * number(-1, 1));
       add_triangle(a, b, c);
       (one_of(2) ? a : b) = c;
     }
@@ -345,8 +360,9 @@ private:
       const Point &a = case_.points[p], &b = case_.points[q];
       const double l = std::sqrt((a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]) + (a[2] - b[2]) * (a[2] - b[2]));
       const double t = number(-0.2, 1.2), height = l * (one_of(3) ? power(-3, 0) : number(0.3, 1.5));
-      const std::size_t r = add(a[0] + t * (b[0] - a[0]) + height * number(-1, 1), a[1] + t * (b[1] - a[1]) + height * number(-1, 1),
-                                a[2] + t * (b[2] - a[2]) + height * number(-1, 1));
+      const std::size_t r =
+        add(a[0] + t * (b[0] - a[0]) + height * number(-1, 1), a[1] + t * (b[1] - a[1]) + height * number(-1, 1),
+            a[2] + t * (b[2] - a[2]) + height * number(-1, 1));
       add_triangle(q, p, r);
     }
   }
@@ -416,8 +432,7 @@ private:
   void add_any_source()
   {
     if (one_of(2)) add_source(case_.triangles[index(case_.triangles.size())][index(3)]);
-    else
-      case_.sources.push_back(any_location());
+    else case_.sources.push_back(any_location());
   }
 
   // One to three segments, some of which are parallel to an edge. Start values are zero, of the size of the mesh, or much larger.

@@ -21,10 +21,7 @@ struct Leg
   Point_2 a, b;
 };
 
-inline double distance(const Point_2& p, const Point_2& q)
-{
-  return std::hypot(p.x() - q.x(), p.y() - q.y());
-}
+inline double distance(const Point_2& p, const Point_2& q) { return std::hypot(p.x() - q.x(), p.y() - q.y()); }
 
 /// Parameter in (0, 1) of the foot of p on the line through a leg, or -1 if the foot is not inside the leg.
 inline double inner_foot(const Point_2& p, const Point_2& a, const Point_2& b)
@@ -44,10 +41,7 @@ inline double segment_distance(const Point_2& p, const Point_2& a, const Point_2
 /// Convex flat region.
 struct Plane_distance
 {
-  double operator()(std::size_t, const Point_2& p, const Leg& leg) const
-  {
-    return segment_distance(p, leg.a, leg.b);
-  }
+  double operator()(std::size_t, const Point_2& p, const Leg& leg) const { return segment_distance(p, leg.a, leg.b); }
 };
 
 /// The L of `l_shape`: straight paths, or paths around its reflex corner, from which every point is visible.
@@ -58,8 +52,7 @@ struct L_shape_distance
     const Point_2 corner(1, 1);
     double result = distance(p, corner) + segment_distance(corner, leg.a, leg.b);
     const double t = inner_foot(p, leg.a, leg.b);
-    if (t > 0 && sees(p, leg.a + t * (leg.b - leg.a)))
-      result = (std::min)(result, segment_distance(p, leg.a, leg.b));
+    if (t > 0 && sees(p, leg.a + t * (leg.b - leg.a))) result = (std::min)(result, segment_distance(p, leg.a, leg.b));
     for (const Point_2& end : {leg.a, leg.b})
       if (sees(p, end)) result = (std::min)(result, distance(p, end));
     return result;
@@ -84,8 +77,7 @@ struct Prism_distance
   {
     double result = std::numeric_limits<double>::infinity();
     for (int turn = -1; turn <= 1; ++turn)
-      result =
-        (std::min)(result, segment_distance(Point_2(p.x() + turn * period, p.y()), leg.a, leg.b));
+      result = (std::min)(result, segment_distance(Point_2(p.x() + turn * period, p.y()), leg.a, leg.b));
     return result;
   }
 
@@ -106,8 +98,7 @@ struct Cone_distance
     {
       // The target in the plane of the leg's patch, after a turn around the apex by `angle`.
       const double sectors = static_cast<double>(patch) - static_cast<double>(leg.patch);
-      const double angle =
-        std::atan2(p.y(), p.x()) + sectors * cone.sector_angle() + turn * cone.total_angle;
+      const double angle = std::atan2(p.y(), p.x()) + sectors * cone.sector_angle() + turn * cone.total_angle;
       const Point_2 image(radius * std::cos(angle), radius * std::sin(angle));
       const double t = inner_foot(image, leg.a, leg.b);
       if (t > 0 && is_straight(angle, leg.a + t * (leg.b - leg.a)))
@@ -118,10 +109,7 @@ struct Cone_distance
     return result;
   }
 
-  static bool is_straight(double angle, const Point_2& q)
-  {
-    return std::abs(angle - std::atan2(q.y(), q.x())) < CGAL_PI;
-  }
+  static bool is_straight(double angle, const Point_2& q) { return std::abs(angle - std::atan2(q.y(), q.x())) < CGAL_PI; }
 
   Cone cone;
 };
@@ -180,16 +168,13 @@ private:
       for (const std::pair<Point_2, Point_2>& door : doors)
       {
         const Vector_2 right = door.first - q, left = door.second - q;
-        if (d.x() * right.y() - d.y() * right.x() > 1e-14 ||
-            d.x() * left.y() - d.y() * left.x() < -1e-14)
-          return false;
+        if (d.x() * right.y() - d.y() * right.x() > 1e-14 || d.x() * left.y() - d.y() * left.x() < -1e-14) return false;
       }
       return true;
     }
   };
 
-  void unfold(std::size_t start, std::size_t side, const Unfolding& unfolding,
-              std::vector<bool>& visited)
+  void unfold(std::size_t start, std::size_t side, const Unfolding& unfolding, std::vector<bool>& visited)
   {
     unfoldings_[start * uv_.size() + side].push_back(unfolding);
     const std::vector<std::size_t>& corners = polyhedron_.sides[side];
@@ -208,12 +193,10 @@ private:
             Unfolding further = unfolding;
             const Vector_2 p = p1 - p0, q = q1 - q0;
             const double length = q.squared_length();
-            further.rotation = Vector_2((p.x() * q.x() + p.y() * q.y()) / length,
-                                        (p.y() * q.x() - p.x() * q.y()) / length);
+            further.rotation = Vector_2((p.x() * q.x() + p.y() * q.y()) / length, (p.y() * q.x() - p.x() * q.y()) / length);
             further.shift = Vector_2(0, 0);
             further.shift = p0 - further.image(q0);
-            further.doors.push_back(
-              {p0, p1}); // sides are counterclockwise: seen from inside, p0 is on the right
+            further.doors.push_back({p0, p1}); // sides are counterclockwise: seen from inside, p0 is on the right
             visited[other] = true;
             unfold(start, other, further, visited);
             visited[other] = false;

@@ -35,15 +35,14 @@
 namespace test {
 
 /// Outcome of a run.
-enum Corpus_outcome : unsigned char
-{
-  RIGHT, // distances are within the certified bounds, and curves are valid
-  UNCERTIFIED, // likewise, but certified bounds reject the mesh, as documented for needles
+enum Corpus_outcome : unsigned char {
+  RIGHT,        // distances are within the certified bounds, and curves are valid
+  UNCERTIFIED,  // likewise, but certified bounds reject the mesh, as documented for needles
   MESH_REFUSED, // the reader rejects the file with one line
-  NO_SOURCES, // sources are rejected: no path on the surface joins the points of a polyline
-  WRONG_FIELD, // distances outside the certified bounds, or not 1-Lipschitz
+  NO_SOURCES,   // sources are rejected: no path on the surface joins the points of a polyline
+  WRONG_FIELD,  // distances outside the certified bounds, or not 1-Lipschitz
   WRONG_CURVES, // invalid curves
-  EXCEPTION, // any other exception, or a message of several lines
+  EXCEPTION,    // any other exception, or a message of several lines
   CRASHED,
   OVER_TIME,
   NUMBER_OF_OUTCOMES
@@ -60,10 +59,10 @@ struct Corpus_options
 {
   unsigned seed = 1; // of the first run; consecutive
   std::size_t runs = 1000;
-  unsigned seconds = 60; // per run
-  std::size_t printed = 50; // maximum number of printed failures
-  bool verbose = false; // print each run
-  std::string write; // prefix of the meshes and sources of failures
+  unsigned seconds = 60;                    // per run
+  std::size_t printed = 50;                 // maximum number of printed failures
+  bool verbose = false;                     // print each run
+  std::string write;                        // prefix of the meshes and sources of failures
   std::vector<std::filesystem::path> files; // generated meshes if empty
 };
 
@@ -113,7 +112,8 @@ private:
 
   Corpus_case(const Corpus_options& options, unsigned seed, const std::string& folder)
     : options_(options), seed_(seed), folder_(folder), random_(seed)
-  {}
+  {
+  }
 
   Corpus_outcome run()
   {
@@ -203,10 +203,11 @@ private:
     {
       const Surface_mesh::Vertex_index v(Surface_mesh::size_type(uniform_index(random_, mesh.number_of_vertices())));
       const double d = geodesic.distance_to_sources(v), kind = uniform(random_);
-      const double level = kind < 0.5                          ? uniform(random_, 0, 1.01) * largest_
-                           : kind < 0.6 || !std::isfinite(d) ? log_uniform(random_, -8, -2) * diagonal_
-                           : kind < 0.8                        ? d
-                                                               : d * (1 + uniform(random_, -1, 1) * log_uniform(random_, -15, -9));
+      const double level =
+        kind < 0.5                        ? uniform(random_, 0, 1.01) * largest_
+        : kind < 0.6 || !std::isfinite(d) ? log_uniform(random_, -8, -2) * diagonal_
+        : kind < 0.8                      ? d
+                                          : d * (1 + uniform(random_, -1, 1) * log_uniform(random_, -15, -9));
       if (level > 1e-9 * diagonal_) levels.push_back(level);
     }
     std::sort(levels.begin(), levels.end());
@@ -356,8 +357,7 @@ private:
     const std::string& perturbation = Perturbations::all()[Corpus_case::perturbation(options_, seed)].first;
     const Scratch_directory scratch;
     const std::string folder = (scratch / "").string();
-    const Isolated_result result =
-      run_isolated(options_.seconds, [&] { return Corpus_case::run(options_, seed, folder); });
+    const Isolated_result result = run_isolated(options_.seconds, [&] { return Corpus_case::run(options_, seed, folder); });
     Corpus_outcome outcome = result.signal == SIGALRM ? OVER_TIME : CRASHED;
     std::string sources = "none", text = "signal " + std::to_string(result.signal);
     if (!result.text.empty())

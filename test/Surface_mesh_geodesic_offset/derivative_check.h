@@ -18,7 +18,7 @@ namespace test {
 struct Derivative_check
 {
   std::size_t distances = 0, at_events = 0; // at events there is no derivative
-  double worst = 0; // relative difference
+  double worst = 0;                         // relative difference
 
   void operator()(Offset_integrals& integrals, double d)
   {

@@ -36,10 +36,7 @@ struct Edge_span
   double x, y, sigma;
   double from, to;
 
-  double distance(double t) const
-  {
-    return is_parallel ? sigma + x * t : sigma + std::hypot(t - x, y);
-  }
+  double distance(double t) const { return is_parallel ? sigma + x * t : sigma + std::hypot(t - x, y); }
 
   /// Position of the smallest distance.
   double lowest() const
@@ -95,8 +92,7 @@ public:
   /// Removes spans that are nowhere nearer than `d`.
   void leave_out_beyond(double d)
   {
-    spans.erase(std::remove_if(spans.begin(), spans.end(),
-                               [d](const Edge_span& s) { return s.distance(s.lowest()) > d; }),
+    spans.erase(std::remove_if(spans.begin(), spans.end(), [d](const Edge_span& s) { return s.distance(s.lowest()) > d; }),
                 spans.end());
   }
 
@@ -135,12 +131,10 @@ public:
     Interval part;
     for (const Edge_span& s : spans)
       if (s.nearer_than(d, part)) result.push_back(part);
-    std::sort(result.begin(), result.end(),
-              [](const Interval& a, const Interval& b) { return a.from < b.from; });
+    std::sort(result.begin(), result.end(), [](const Interval& a, const Interval& b) { return a.from < b.from; });
     std::size_t last = 0;
     for (std::size_t i = 1; i < result.size(); ++i)
-      if (result[i].from <= result[last].to + gap)
-        result[last].to = (std::max)(result[last].to, result[i].to);
+      if (result[i].from <= result[last].to + gap) result[last].to = (std::max)(result[last].to, result[i].to);
       else result[++last] = result[i];
     if (!result.empty()) result.resize(last + 1);
   }
@@ -195,8 +189,7 @@ private:
     if (w.origin >= CGAL::Geodesic_offset::internal::STARTS_IN_FACE && !w.is_parallel()) return true;
     const Point_in_face b = frame.on_edge(k, length);
     const bool starts_in_face = w.origin == CGAL::Geodesic_offset::internal::STARTS_IN_FACE;
-    const double beyond =
-      (starts_in_face ? Judge_tolerances::source_ray : Judge_tolerances::bounding_ray) * field.size();
+    const double beyond = (starts_in_face ? Judge_tolerances::source_ray : Judge_tolerances::bounding_ray) * field.size();
     const double left = beyond * CGAL::Geodesic_offset::internal::length(w.ray_direction(w.left)),
                  right = beyond * CGAL::Geodesic_offset::internal::length(w.ray_direction(w.right));
     clip(left - w.left_side(a), left - w.left_side(b), length, span);

@@ -38,7 +38,8 @@ struct Chain_arc
 
   Chain_arc(const Point_in_face& start, const Point_in_face& end)
     : is_straight(true), start(start), end(end), center{0, 0}, radius(0), turn(0)
-  {}
+  {
+  }
   Chain_arc(const Point_in_face& start, const Point_in_face& end, const Point_in_face& center, double radius)
     : is_straight(false), start(start), end(end), center(center), radius(radius), turn(angle_of(end))
   {
@@ -176,8 +177,7 @@ public:
 
   /// `widening`: of strips that start in the face. `with_bent_paths`: include paths that bend at the ends of windows and at
   /// corners.
-  Face_oracle(const Face_field& field, double widening, bool with_bent_paths)
-    : frame_(field.frame()), widening_(widening)
+  Face_oracle(const Face_field& field, double widening, bool with_bent_paths) : frame_(field.frame()), widening_(widening)
   {
     namespace internal = CGAL::Geodesic_offset::internal;
     for (int k = 0; k < 3; ++k) corner_[std::size_t(k)] = exact(frame_.corner(k));
@@ -222,8 +222,7 @@ public:
     for (const Region_part& part : parts)
     {
       add_chains(part.outer_boundary(), result);
-      for (auto hole = part.holes_begin(); hole != part.holes_end(); ++hole)
-        add_chains(*hole, result);
+      for (auto hole = part.holes_begin(); hole != part.holes_end(); ++hole) add_chains(*hole, result);
     }
     return result;
   }
@@ -232,7 +231,7 @@ private:
   struct Part
   {
     Face_window window;
-    double lowest; // lower bound of distances, up to the widening
+    double lowest;                 // lower bound of distances, up to the widening
     std::vector<Exact_point> cone; // points of the face on the rays, counterclockwise
   };
 
@@ -297,8 +296,7 @@ private:
     clip(left_of(right, x, y, widening), polygon);
     direction(left, x, y);
     clip(left_of(left, Exact(-x), Exact(-y), widening), polygon);
-    if (w.is_parallel() && starts_in_face)
-      clip({Exact(-w.x), Exact(-w.y), Exact(Exact(w.sigma) + Exact(widening_))}, polygon);
+    if (w.is_parallel() && starts_in_face) clip({Exact(-w.x), Exact(-w.y), Exact(Exact(w.sigma) + Exact(widening_))}, polygon);
     return polygon;
   }
 

@@ -24,16 +24,10 @@ public:
   using Geodesic::Geodesic;
 
   const auto& data() const { return CGAL::Geodesic_offset::internal::Mesh_access::data(Geodesic::mesh()); }
-  const auto& last_build() const
-  {
-    return *CGAL::Geodesic_offset::internal::Field_access::shared_build(Geodesic::field());
-  }
+  const auto& last_build() const { return *CGAL::Geodesic_offset::internal::Field_access::shared_build(Geodesic::field()); }
 
   /// \pre built with kept windows
-  test::Face_field face_field() const
-  {
-    return test::Face_field(data().unfolded(), last_build().initial, last_build().field);
-  }
+  test::Face_field face_field() const { return test::Face_field(data().unfolded(), last_build().initial, last_build().field); }
   /// Index of a face in `face_field()`.
   CGAL::Geodesic_offset::internal::Index field_index(face_descriptor f) const
   {
@@ -55,17 +49,16 @@ class Field_features
 public:
   typedef CGAL::Geodesic_offset::internal::Index Index;
 
-  std::vector<double> vertices;    // distances of vertices
-  std::vector<double> tangents;    // smallest distances of single windows along edges
-  std::vector<double> joints;      // distances where two windows meet on an edge
-  std::vector<double> edge_maxima; // largest distances along edges
-  std::vector<double> saddles;     // distances where two fronts meet head-on in a face
-  std::vector<double> maxima;      // largest distances in faces
+  std::vector<double> vertices;                // distances of vertices
+  std::vector<double> tangents;                // smallest distances of single windows along edges
+  std::vector<double> joints;                  // distances where two windows meet on an edge
+  std::vector<double> edge_maxima;             // largest distances along edges
+  std::vector<double> saddles;                 // distances where two fronts meet head-on in a face
+  std::vector<double> maxima;                  // largest distances in faces
   std::vector<std::vector<Witness>> witnesses; // by face
-  std::vector<Edge_profile> profiles; // by halfedge; the smaller halfedge of each edge
+  std::vector<Edge_profile> profiles;          // by halfedge; the smaller halfedge of each edge
 
-  Field_features(const Open_geodesic& geodesic, const Surface_mesh& mesh,
-                 const Judged_surface& surface, Random& random)
+  Field_features(const Open_geodesic& geodesic, const Surface_mesh& mesh, const Judged_surface& surface, Random& random)
     : surface_(surface), random_(random), scale_(surface.diagonal())
   {
     for (std::size_t v = 0; v < surface.number_of_vertices(); ++v)
@@ -90,8 +83,7 @@ public:
     for (Index h = 0; h < Index(profiles.size()); ++h)
     {
       if (!surface.is_used(h / 3) || surface.twin(h) < h) continue;
-      const double d0 = surface.vertex_distance(surface.origin(h)),
-                   d1 = surface.vertex_distance(surface.target(h));
+      const double d0 = surface.vertex_distance(surface.origin(h)), d1 = surface.vertex_distance(surface.target(h));
       profiles[h].leave_out_beyond((d0 + d1 + profiles[h].length) / 2 + Judge_tolerances::beyond * scale_);
       look_along(profiles[h]);
     }
@@ -121,8 +113,7 @@ private:
     }
   }
 
-  void meet(const Edge_profile& profile, const Edge_span& a, double low, const Edge_span& b,
-            double high)
+  void meet(const Edge_profile& profile, const Edge_span& a, double low, const Edge_span& b, double high)
   {
     for (int i = 0; i < Sampling::halvings; ++i)
     {
@@ -161,23 +152,19 @@ private:
         if ((i + j) % 2 == 0) witnesses[index].push_back({p, d});
       }
     std::sort(nearest_windows.begin(), nearest_windows.end());
-    nearest_windows.erase(std::unique(nearest_windows.begin(), nearest_windows.end()),
-                          nearest_windows.end());
+    nearest_windows.erase(std::unique(nearest_windows.begin(), nearest_windows.end()), nearest_windows.end());
     const std::size_t count = (std::min)(nearest_windows.size(), Sampling::windows_per_face);
     for (std::size_t i = 0; i < count; ++i)
       for (std::size_t j = i + 1; j < count; ++j)
       {
-        const Face_window &a = field.windows()[nearest_windows[i]],
-                          &b = field.windows()[nearest_windows[j]];
+        const Face_window &a = field.windows()[nearest_windows[i]], &b = field.windows()[nearest_windows[j]];
         find_saddle(face, field, a, b);
-        for (std::size_t k = j + 1; k < count; ++k)
-          find_maximum(face, field, {{&a, &b, &field.windows()[nearest_windows[k]]}});
+        for (std::size_t k = j + 1; k < count; ++k) find_maximum(face, field, {{&a, &b, &field.windows()[nearest_windows[k]]}});
       }
   }
 
   // Two growing circles touch on the segment between their centers.
-  void find_saddle(const Judged_surface::Face& face, const test::Face_field& field,
-                   const Face_window& a, const Face_window& b)
+  void find_saddle(const Judged_surface::Face& face, const test::Face_field& field, const Face_window& a, const Face_window& b)
   {
     if (a.is_parallel() || b.is_parallel()) return;
     const Point_in_face v = b.image() - a.image();
@@ -185,8 +172,7 @@ private:
     if (!(way > 0) || !(way < l)) return;
     const Point_in_face p = a.image() + (way / l) * v;
     std::size_t nearest;
-    if (face.outside(p) <= 0 && ties(field.distance(p, nearest), a.sigma + way))
-      saddles.push_back(a.sigma + way);
+    if (face.outside(p) <= 0 && ties(field.distance(p, nearest), a.sigma + way)) saddles.push_back(a.sigma + way);
   }
 
   // Newton's method for a point equidistant from three windows.

@@ -36,8 +36,7 @@ public:
   typedef typename Locations::Barycentric_coordinates Barycentric_coordinates;
   typedef test::Flat_path<TriangleMesh> Path;
 
-  Flat_path_generator(const Mesh_data& data, unsigned seed)
-    : data_(data), locations_(data.mesh), random_(seed)
+  Flat_path_generator(const Mesh_data& data, unsigned seed) : data_(data), locations_(data.mesh), random_(seed)
   {
     for (std::size_t i = 0; i < data.faces.size(); ++i)
     {
@@ -73,12 +72,9 @@ public:
     for (std::size_t turns = uniform_index(random_, 3); turns > 0; --turns) h = next(h, data_.mesh);
     switch (uniform_index(random_, 3))
     {
-    case 0:
-      return Face_location(f, random_barycentric(random_));
-    case 1:
-      return locations_.on_edge(h, uniform(random_, 0.02, 0.98));
-    default:
-      return locations_.at_vertex(target(h, data_.mesh), uniform_index(random_, 8));
+    case 0: return Face_location(f, random_barycentric(random_));
+    case 1: return locations_.on_edge(h, uniform(random_, 0.02, 0.98));
+    default: return locations_.at_vertex(target(h, data_.mesh), uniform_index(random_, 8));
     }
   }
 
@@ -147,17 +143,18 @@ private:
       const Face_location last = path.locations.back();
       const bool zigzag = path.legs.size() % 4 == 3;
       if (zigzag && !one_patch) patch = patch_of(last.first);
-      const Face_location target = (zigzag && patch_of(last.first) == patch)
-                                     ? Face_location(last.first, random_barycentric(random_))
-                                     : random_location(patch);
+      const Face_location target =
+        (zigzag && patch_of(last.first) == patch)
+          ? Face_location(last.first, random_barycentric(random_))
+          : random_location(patch);
       if (add_leg(path, target, patch) && !one_patch) patch = leave(target, patch);
     }
     return path;
   }
 
   // The locations after `from` where the straight segment to `to` meets edges, and `to`.
-  bool walk(const Face_location& from, const Face_location& to, const Point_2& a, const Point_2& b,
-            std::size_t patch, std::vector<Face_location>& steps) const
+  bool walk(const Face_location& from, const Face_location& to, const Point_2& a, const Point_2& b, std::size_t patch,
+            std::vector<Face_location>& steps) const
   {
     Face_location current = from;
     Barycentric_coordinates w;
@@ -190,8 +187,7 @@ private:
   }
 
   // Exit from face f of the ray from the current location towards b, if the ray enters f.
-  bool exit_of(const Face_location& current, face_descriptor f, const Point_2& a, const Point_2& b,
-               Face_location& exit) const
+  bool exit_of(const Face_location& current, face_descriptor f, const Point_2& a, const Point_2& b, Face_location& exit) const
   {
     Barycentric_coordinates w;
     locations_.express(current, f, w);
@@ -199,14 +195,13 @@ private:
     for (std::size_t k = 0; k < 3; ++k)
     {
       const std::size_t i = (k + 1) % 3, j = (k + 2) % 3; // the edge from i to j, opposite k
-      if (w[k] == 0) continue; // the location is on this edge
+      if (w[k] == 0) continue;                            // the location is on this edge
       const bool i_right = CGAL::orientation(a, b, corners[i]) == CGAL::RIGHT_TURN;
       const bool j_left = CGAL::orientation(a, b, corners[j]) == CGAL::LEFT_TURN;
       if (!i_right || !j_left) continue;
       const Vector_2 ab = b - a;
       const Vector_2 ai = corners[i] - a, aj = corners[j] - a;
-      const double ci = std::abs(ab.x() * ai.y() - ab.y() * ai.x()),
-                   cj = std::abs(ab.x() * aj.y() - ab.y() * aj.x());
+      const double ci = std::abs(ab.x() * ai.y() - ab.y() * ai.x()), cj = std::abs(ab.x() * aj.y() - ab.y() * aj.x());
       const double t = ci / (ci + cj);
       if (!(t > 0 && t < 1)) return false;
       exit.first = f;

@@ -48,21 +48,20 @@ inline Soup icosphere(std::size_t levels)
       soup.points.push_back(Point_3(t, 0, s));
     }
   // faces are the triples of mutual neighbours, whose distance is 2
-  const auto adjacent = [&](std::size_t i, std::size_t j)
-  { return std::abs(CGAL::squared_distance(soup.points[i], soup.points[j]) - 4) < 1e-9; };
+  const auto adjacent = [&](std::size_t i, std::size_t j) {
+    return std::abs(CGAL::squared_distance(soup.points[i], soup.points[j]) - 4) < 1e-9;
+  };
   for (std::size_t i = 0; i < 12; ++i)
     for (std::size_t j = i + 1; j < 12; ++j)
       for (std::size_t k = j + 1; k < 12; ++k)
         if (adjacent(i, j) && adjacent(j, k) && adjacent(i, k))
         {
           const Vector_3 p = soup.points[i] - CGAL::ORIGIN;
-          const Vector_3 normal =
-            CGAL::cross_product(soup.points[j] - soup.points[i], soup.points[k] - soup.points[i]);
+          const Vector_3 normal = CGAL::cross_product(soup.points[j] - soup.points[i], soup.points[k] - soup.points[i]);
           if (normal * p > 0) soup.add_triangle({{i, j, k}});
           else soup.add_triangle({{i, k, j}});
         }
-  const auto to_sphere = [](const Point_3& p)
-  {
+  const auto to_sphere = [](const Point_3& p) {
     const Vector_3 v = p - CGAL::ORIGIN;
     return CGAL::ORIGIN + v / std::sqrt(v.squared_length());
   };
@@ -72,8 +71,7 @@ inline Soup icosphere(std::size_t levels)
     Soup finer;
     finer.points = soup.points;
     std::map<std::pair<std::size_t, std::size_t>, std::size_t> middles;
-    const auto middle = [&](std::size_t i, std::size_t j)
-    {
+    const auto middle = [&](std::size_t i, std::size_t j) {
       const auto inserted = middles.emplace(std::minmax(i, j), finer.points.size());
       if (inserted.second)
       {
@@ -97,12 +95,10 @@ inline Soup icosphere(std::size_t levels)
 
 /// Zero set of `f` (negative inside) over an n^3 grid of [-1, 1]^3, by marching tetrahedra: as with marching cubes, faces
 /// are the smaller and thinner the closer the surface passes to grid points.
-inline Soup marching_tetrahedra(const std::function<double(double, double, double)>& f,
-                                std::size_t n)
+inline Soup marching_tetrahedra(const std::function<double(double, double, double)>& f, std::size_t n)
 {
   Soup soup;
-  const auto coordinate = [n](std::size_t i)
-  { return 2 * static_cast<double>(i) / static_cast<double>(n) - 1; };
+  const auto coordinate = [n](std::size_t i) { return 2 * static_cast<double>(i) / static_cast<double>(n) - 1; };
   std::vector<double> values;
   std::vector<Point_3> nodes;
   for (std::size_t k = 0; k <= n; ++k)
@@ -113,8 +109,7 @@ inline Soup marching_tetrahedra(const std::function<double(double, double, doubl
         values.push_back(f(coordinate(i), coordinate(j), coordinate(k)));
       }
   std::map<std::pair<std::size_t, std::size_t>, std::size_t> crossings;
-  const auto crossing = [&](std::size_t inside, std::size_t outside)
-  {
+  const auto crossing = [&](std::size_t inside, std::size_t outside) {
     const auto inserted = crossings.emplace(std::minmax(inside, outside), soup.points.size());
     if (inserted.second)
     {
@@ -124,21 +119,18 @@ inline Soup marching_tetrahedra(const std::function<double(double, double, doubl
     return inserted.first->second;
   };
   // The six even permutations that move each vertex, or each pair of vertices, of a tetrahedron to the front.
-  static const std::array<std::size_t, 4> single_first[] = {
-    {{0, 1, 2, 3}}, {{1, 0, 3, 2}}, {{2, 3, 0, 1}}, {{3, 2, 1, 0}}};
-  static const std::array<std::size_t, 4> pair_first[] = {
-    {{0, 1, 2, 3}}, {{0, 2, 3, 1}}, {{0, 3, 1, 2}}, {{1, 2, 0, 3}}, {{1, 3, 2, 0}}, {{2, 3, 0, 1}}};
+  static const std::array<std::size_t, 4> single_first[] = {{{0, 1, 2, 3}}, {{1, 0, 3, 2}}, {{2, 3, 0, 1}}, {{3, 2, 1, 0}}};
+  static const std::array<std::size_t, 4> pair_first[] = {{{0, 1, 2, 3}}, {{0, 2, 3, 1}}, {{0, 3, 1, 2}},
+                                                          {{1, 2, 0, 3}}, {{1, 3, 2, 0}}, {{2, 3, 0, 1}}};
   const auto march = [&](const std::array<std::size_t, 4>& t) { // t is positively oriented
     const auto inside = [&](std::size_t i) { return values[t[i]] < 0; };
     const int count = inside(0) + inside(1) + inside(2) + inside(3);
     for (const std::array<std::size_t, 4>& p : single_first)
     {
       if (count == 1 && inside(p[0]))
-        soup.add_triangle(
-          {{crossing(t[p[0]], t[p[1]]), crossing(t[p[0]], t[p[2]]), crossing(t[p[0]], t[p[3]])}});
+        soup.add_triangle({{crossing(t[p[0]], t[p[1]]), crossing(t[p[0]], t[p[2]]), crossing(t[p[0]], t[p[3]])}});
       if (count == 3 && !inside(p[0]))
-        soup.add_triangle(
-          {{crossing(t[p[1]], t[p[0]]), crossing(t[p[3]], t[p[0]]), crossing(t[p[2]], t[p[0]])}});
+        soup.add_triangle({{crossing(t[p[1]], t[p[0]]), crossing(t[p[3]], t[p[0]]), crossing(t[p[2]], t[p[0]])}});
     }
     for (const std::array<std::size_t, 4>& p : pair_first)
       if (count == 2 && inside(p[0]) && inside(p[1]))
@@ -170,17 +162,15 @@ inline Soup marching_tetrahedra(const std::function<double(double, double, doubl
 inline Soup marching_sphere(std::size_t n = 12)
 {
   const double radius = 0.5 + 1e-7;
-  return marching_tetrahedra(
-    [=](double x, double y, double z) { return x * x + y * y + z * z - radius * radius; }, n);
+  return marching_tetrahedra([=](double x, double y, double z) { return x * x + y * y + z * z - radius * radius; }, n);
 }
 
 /// Surface of genus 5 (the tangle cube) with saddles everywhere.
 inline Soup marching_genus_5(std::size_t n = 20)
 {
   const auto along = [](double x) { return (x * x - 5) * x * x; };
-  return marching_tetrahedra([=](double x, double y, double z)
-                             { return along(2.35 * x) + along(2.35 * y) + along(2.35 * z) + 11.8; },
-                             n);
+  return marching_tetrahedra(
+    [=](double x, double y, double z) { return along(2.35 * x) + along(2.35 * y) + along(2.35 * z) + 11.8; }, n);
 }
 
 } // namespace test

@@ -12,8 +12,7 @@
 
 namespace test {
 
-enum class Diagonals
-{
+enum class Diagonals {
   forward,     // from (i, j) to (i + 1, j + 1)
   backward,    // from (i + 1, j) to (i, j + 1)
   alternating, // changing direction from square to square
@@ -22,8 +21,8 @@ enum class Diagonals
 
 /// n x m squares of side `side` in the plane z = 0, each split in two; vertex (i, j) has index j (n + 1) + i. Inner
 /// vertices are displaced by up to `jitter` sides in x and in y (faces keep their orientation below 0.25).
-inline Soup planar_grid(std::size_t n, std::size_t m, Diagonals diagonals = Diagonals::forward,
-                        double side = 1, double jitter = 0, unsigned seed = 1)
+inline Soup planar_grid(std::size_t n, std::size_t m, Diagonals diagonals = Diagonals::forward, double side = 1,
+                        double jitter = 0, unsigned seed = 1)
 {
   Random random(seed);
   Soup soup;
@@ -35,8 +34,7 @@ inline Soup planar_grid(std::size_t n, std::size_t m, Diagonals diagonals = Diag
       if (j > 0 && j < m) y += jitter * uniform(random, -1, 1);
       soup.points.push_back(Point_3(side * x, side * y, 0));
     }
-  const auto add = [&](std::size_t a, std::size_t b, std::size_t c)
-  {
+  const auto add = [&](std::size_t a, std::size_t b, std::size_t c) {
     std::array<Point_2, 3> uv;
     std::size_t k = 0;
     for (std::size_t v : {a, b, c}) uv[k++] = Point_2(soup.points[v].x(), soup.points[v].y());
@@ -46,8 +44,7 @@ inline Soup planar_grid(std::size_t n, std::size_t m, Diagonals diagonals = Diag
     for (std::size_t i = 0; i < n; ++i)
     {
       const std::size_t a = j * (n + 1) + i, b = a + 1, d = a + n + 1, c = d + 1;
-      const bool forward = diagonals == Diagonals::forward ||
-                           (diagonals == Diagonals::alternating && (i + j) % 2 == 0) ||
+      const bool forward = diagonals == Diagonals::forward || (diagonals == Diagonals::alternating && (i + j) % 2 == 0) ||
                            (diagonals == Diagonals::random && uniform(random) < 0.5);
       if (forward)
       {
@@ -70,12 +67,10 @@ inline Soup jittered_grid(std::size_t n, std::size_t m, unsigned seed, double ji
 
 /// Random points in a rectangle with the Delaunay triangulation of the unit square, stretched: with a small height, all
 /// faces are needles.
-inline Soup random_rectangle(double width, double height, std::size_t points_inside,
-                             std::size_t points_per_edge, unsigned seed)
+inline Soup random_rectangle(double width, double height, std::size_t points_inside, std::size_t points_per_edge, unsigned seed)
 {
   Patch_assembler assembler(points_per_edge, points_inside, seed);
-  const std::vector<Point_2> uv = {Point_2(0, 0), Point_2(width, 0), Point_2(width, height),
-                                   Point_2(0, height)};
+  const std::vector<Point_2> uv = {Point_2(0, 0), Point_2(width, 0), Point_2(width, height), Point_2(0, height)};
   std::vector<std::size_t> corners;
   for (const Point_2& p : uv) corners.push_back(assembler.add_corner(Point_3(p.x(), p.y(), 0)));
   assembler.add_patch(corners, uv, 0);
@@ -83,8 +78,7 @@ inline Soup random_rectangle(double width, double height, std::size_t points_ins
 }
 
 /// Strip of needles, 1 : thickness, with as much noise in the third coordinate, in general position.
-inline Soup crumpled_needles(double thickness, double noise, std::size_t points_inside,
-                             unsigned seed)
+inline Soup crumpled_needles(double thickness, double noise, std::size_t points_inside, unsigned seed)
 {
   Soup soup = random_rectangle(1, thickness, points_inside, 4, seed);
   Random random(seed);
@@ -120,8 +114,7 @@ inline Soup l_shape(std::size_t points_per_square, std::size_t points_per_edge, 
   for (int y = 0; y <= 2; ++y)
     for (int x = 0; x <= 2; ++x)
       if (x < 2 || y < 2) ids[{x, y}] = assembler.add_corner(Point_3(x, y, 0));
-  for (const std::pair<int, int>& square :
-       {std::make_pair(0, 0), std::make_pair(1, 0), std::make_pair(0, 1)})
+  for (const std::pair<int, int>& square : {std::make_pair(0, 0), std::make_pair(1, 0), std::make_pair(0, 1)})
   {
     std::vector<std::size_t> corners;
     std::vector<Point_2> uv;
@@ -154,8 +147,7 @@ struct Polyhedron_sides
     normal = normal / std::sqrt(normal.squared_length());
     const Vector_3 y = CGAL::cross_product(normal, x);
     std::vector<Point_2> result;
-    for (std::size_t c : side)
-      result.push_back(Point_2((corners[c] - origin) * x, (corners[c] - origin) * y));
+    for (std::size_t c : side) result.push_back(Point_2((corners[c] - origin) * x, (corners[c] - origin) * y));
     return result;
   }
 
@@ -171,8 +163,7 @@ struct Polyhedron_sides
 inline Polyhedron_sides box_sides(double a, double b, double c)
 {
   Polyhedron_sides box;
-  for (int i = 0; i < 8; ++i)
-    box.corners.push_back(Point_3((i & 1) ? a : 0, (i & 2) ? b : 0, (i & 4) ? c : 0));
+  for (int i = 0; i < 8; ++i) box.corners.push_back(Point_3((i & 1) ? a : 0, (i & 2) ? b : 0, (i & 4) ? c : 0));
   box.sides = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
   return box;
 }
@@ -188,30 +179,23 @@ inline Soup cube_grid(std::size_t n)
     const std::vector<std::size_t>& c = cube.sides[side];
     const Point_3 origin = cube.corners[c[0]];
     const Vector_3 x = cube.corners[c[1]] - origin, y = cube.corners[c[3]] - origin;
-    const auto at = [&](std::size_t i, std::size_t j)
-    {
-      const Point_3 p =
-        origin + (static_cast<double>(i) * x + static_cast<double>(j) * y) / static_cast<double>(n);
+    const auto at = [&](std::size_t i, std::size_t j) {
+      const Point_3 p = origin + (static_cast<double>(i) * x + static_cast<double>(j) * y) / static_cast<double>(n);
       std::array<std::size_t, 3> key;
       for (int k = 0; k < 3; ++k)
-        key[static_cast<std::size_t>(k)] =
-          static_cast<std::size_t>(std::lround(p[k] * static_cast<double>(n)));
+        key[static_cast<std::size_t>(k)] = static_cast<std::size_t>(std::lround(p[k] * static_cast<double>(n)));
       const auto inserted = ids.emplace(key, soup.points.size());
       if (inserted.second) soup.points.push_back(p);
       return inserted.first->second;
     };
-    const auto uv = [n](std::size_t i, std::size_t j)
-    {
-      return Point_2(static_cast<double>(i) / static_cast<double>(n),
-                     static_cast<double>(j) / static_cast<double>(n));
+    const auto uv = [n](std::size_t i, std::size_t j) {
+      return Point_2(static_cast<double>(i) / static_cast<double>(n), static_cast<double>(j) / static_cast<double>(n));
     };
     for (std::size_t i = 0; i < n; ++i)
       for (std::size_t j = 0; j < n; ++j)
       {
-        soup.add_triangle({{at(i, j), at(i + 1, j), at(i + 1, j + 1)}}, side,
-                          {{uv(i, j), uv(i + 1, j), uv(i + 1, j + 1)}});
-        soup.add_triangle({{at(i, j), at(i + 1, j + 1), at(i, j + 1)}}, side,
-                          {{uv(i, j), uv(i + 1, j + 1), uv(i, j + 1)}});
+        soup.add_triangle({{at(i, j), at(i + 1, j), at(i + 1, j + 1)}}, side, {{uv(i, j), uv(i + 1, j), uv(i + 1, j + 1)}});
+        soup.add_triangle({{at(i, j), at(i + 1, j + 1), at(i, j + 1)}}, side, {{uv(i, j), uv(i + 1, j + 1), uv(i, j + 1)}});
       }
   }
   return soup;
@@ -220,8 +204,7 @@ inline Soup cube_grid(std::size_t n)
 inline Polyhedron_sides tetrahedron_sides()
 {
   Polyhedron_sides tetrahedron;
-  tetrahedron.corners = {Point_3(1, 1, 1), Point_3(1, -1, -1), Point_3(-1, 1, -1),
-                         Point_3(-1, -1, 1)};
+  tetrahedron.corners = {Point_3(1, 1, 1), Point_3(1, -1, -1), Point_3(-1, 1, -1), Point_3(-1, -1, 1)};
   tetrahedron.sides = {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}};
   return tetrahedron;
 }
@@ -247,11 +230,9 @@ struct Prism
     for (std::size_t i = 0; i < sides; ++i)
     {
       const std::size_t j = (i + 1) % sides;
-      const double u0 = static_cast<double>(i) * side_width(),
-                   u1 = static_cast<double>(i + 1) * side_width();
-      assembler.add_patch(
-        {i, j, sides + j, sides + i},
-        {Point_2(u0, 0), Point_2(u1, 0), Point_2(u1, height), Point_2(u0, height)}, i);
+      const double u0 = static_cast<double>(i) * side_width(), u1 = static_cast<double>(i + 1) * side_width();
+      assembler.add_patch({i, j, sides + j, sides + i},
+                          {Point_2(u0, 0), Point_2(u1, 0), Point_2(u1, height), Point_2(u0, height)}, i);
     }
     return assembler.soup();
   }
@@ -268,7 +249,8 @@ struct Cone
 {
   Cone(std::size_t k, double total_angle, double leg, bool is_open = false)
     : sectors(k), total_angle(total_angle), leg(leg), is_open(is_open)
-  {}
+  {
+  }
 
   double sector_angle() const { return total_angle / static_cast<double>(sectors); }
 
@@ -280,22 +262,20 @@ struct Cone
     const std::size_t legs = is_open ? sectors + 1 : sectors;
     // The legs leave the apex at an angle to the plane z = 0: all downwards, or alternately upwards and downwards.
     const bool saddle = !is_open && total_angle > 2 * CGAL_PI;
-    const double horizontal = saddle
-                                ? std::sqrt((1 + std::cos(sector_angle())) / (1 + std::cos(turn)))
-                                : std::sin(sector_angle() / 2) / std::sin(turn / 2);
+    const double horizontal = saddle ? std::sqrt((1 + std::cos(sector_angle())) / (1 + std::cos(turn)))
+                                     : std::sin(sector_angle() / 2) / std::sin(turn / 2);
     const double vertical = std::sqrt((std::max)(0., 1 - horizontal * horizontal));
     std::vector<std::size_t> ends;
     for (std::size_t i = 0; i < legs; ++i)
     {
       const double angle = turn * static_cast<double>(i);
       const double z = (saddle && i % 2 == 0) ? vertical : -vertical;
-      ends.push_back(assembler.add_corner(
-        Point_3(leg * horizontal * std::cos(angle), leg * horizontal * std::sin(angle), leg * z)));
+      ends.push_back(assembler.add_corner(Point_3(leg * horizontal * std::cos(angle), leg * horizontal * std::sin(angle),
+                                                  leg * z)));
     }
     const Point_2 second(leg * std::cos(sector_angle()), leg * std::sin(sector_angle()));
     for (std::size_t i = 0; i < sectors; ++i)
-      assembler.add_patch({apex, ends[i], ends[(i + 1) % legs]},
-                          {Point_2(0, 0), Point_2(leg, 0), second}, i);
+      assembler.add_patch({apex, ends[i], ends[(i + 1) % legs]}, {Point_2(0, 0), Point_2(leg, 0), second}, i);
     return assembler.soup();
   }
 

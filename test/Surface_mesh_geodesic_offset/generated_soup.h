@@ -66,7 +66,8 @@ public:
   /// Each edge has `points_per_edge` and each patch `points_per_patch` random points.
   Patch_assembler(std::size_t points_per_edge, std::size_t points_per_patch, unsigned seed)
     : points_per_edge_(points_per_edge), points_per_patch_(points_per_patch), random_(seed)
-  {}
+  {
+  }
 
   std::size_t add_corner(const Point_3& p)
   {
@@ -75,28 +76,23 @@ public:
   }
 
   /// Corners in counterclockwise order; the fourth corner of a parallelogram is redundant but must be given.
-  void add_patch(const std::vector<std::size_t>& corners, const std::vector<Point_2>& corner_uv,
-                 std::size_t patch)
+  void add_patch(const std::vector<std::size_t>& corners, const std::vector<Point_2>& corner_uv, std::size_t patch)
   {
-    static const std::vector<Point_2> reference_triangle = {Point_2(0, 0), Point_2(1, 0),
-                                                            Point_2(0, 1)};
-    static const std::vector<Point_2> reference_square = {Point_2(0, 0), Point_2(1, 0),
-                                                          Point_2(1, 1), Point_2(0, 1)};
+    static const std::vector<Point_2> reference_triangle = {Point_2(0, 0), Point_2(1, 0), Point_2(0, 1)};
+    static const std::vector<Point_2> reference_square = {Point_2(0, 0), Point_2(1, 0), Point_2(1, 1), Point_2(0, 1)};
     const std::size_t size = corners.size();
     const std::vector<Point_2>& reference = (size == 3) ? reference_triangle : reference_square;
     const std::size_t last = size - 1; // the corner at (0, 1)
 
     std::vector<Local_point> local;
-    for (std::size_t i = 0; i < size; ++i)
-      local.push_back({reference[i], corner_uv[i], corners[i]});
+    for (std::size_t i = 0; i < size; ++i) local.push_back({reference[i], corner_uv[i], corners[i]});
     for (std::size_t i = 0; i < size; ++i)
     {
       const std::size_t j = (i + 1) % size;
       for (const Edge_point& e : edge_points(corners[i], corners[j]))
       {
         const double t = (corners[i] < corners[j]) ? e.t : 1 - e.t;
-        local.push_back(
-          {between(reference[i], reference[j], t), between(corner_uv[i], corner_uv[j], t), e.id});
+        local.push_back({between(reference[i], reference[j], t), between(corner_uv[i], corner_uv[j], t), e.id});
       }
     }
     const Point_3 origin = soup_.points[corners[0]];
@@ -113,8 +109,7 @@ public:
       }
       if (size == 3 && s + t > 0.995) continue;
       const Vector_2 u = s * (corner_uv[1] - corner_uv[0]) + t * (corner_uv[last] - corner_uv[0]);
-      local.push_back(
-        {Point_2(s, t), corner_uv[0] + u, add_corner(origin + s * side_s + t * side_t)});
+      local.push_back({Point_2(s, t), corner_uv[0] + u, add_corner(origin + s * side_s + t * side_t)});
     }
     triangulate(local, patch);
   }
@@ -149,8 +144,7 @@ private:
     for (std::size_t k = 0; k < points_per_edge_; ++k)
     {
       // A multiple of 2^-20, so that t, 1 - t and their sum are exact, and the reference points exactly collinear.
-      const double cell = (static_cast<double>(k) + uniform(random_, 0.1, 0.9)) /
-                          static_cast<double>(points_per_edge_);
+      const double cell = (static_cast<double>(k) + uniform(random_, 0.1, 0.9)) / static_cast<double>(points_per_edge_);
       const double t = std::floor(cell * 1048576.0) / 1048576.0;
       result.push_back({t, add_corner(p + t * (q - p))});
     }
@@ -204,8 +198,7 @@ inline Soup rotated(Soup soup, unsigned seed)
   }
   for (double& c : q) c /= std::sqrt(norm);
   const Vector_3 axis(q[1], q[2], q[3]);
-  const Vector_3 shift(uniform(random, -0.5, 0.5), uniform(random, -0.5, 0.5),
-                       uniform(random, -0.5, 0.5));
+  const Vector_3 shift(uniform(random, -0.5, 0.5), uniform(random, -0.5, 0.5), uniform(random, -0.5, 0.5));
   for (Point_3& p : soup.points)
   {
     const Vector_3 v = p - CGAL::ORIGIN;

@@ -18,8 +18,7 @@ namespace test {
 typedef CGAL::Surface_mesh<Kernel::Point_3> Surface_mesh;
 
 template <class TriangleMesh>
-using Geodesic_on = CGAL::Surface_mesh_geodesic_offset<
-  CGAL::Surface_mesh_geodesic_offset_traits<Kernel, TriangleMesh>>;
+using Geodesic_on = CGAL::Surface_mesh_geodesic_offset<CGAL::Surface_mesh_geodesic_offset_traits<Kernel, TriangleMesh>>;
 
 typedef Geodesic_on<Surface_mesh> Geodesic;
 

@@ -19,7 +19,7 @@ namespace test {
 struct Isolated_result
 {
   std::string text; // result of the function; empty if a signal ended the run
-  int signal = 0;       // SIGALRM if the run took too long
+  int signal = 0;   // SIGALRM if the run took too long
   double seconds = 0;
 };
 

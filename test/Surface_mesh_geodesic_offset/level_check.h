@@ -38,8 +38,7 @@ inline void print_level_totals()
 {
   const Level_totals& totals = Level_totals::instance();
   std::cout.precision(3);
-  std::cout << totals.levels << " levels, lengths off by at most " << totals.worst_length
-            << " of themselves" << std::endl;
+  std::cout << totals.levels << " levels, lengths off by at most " << totals.worst_length << " of themselves" << std::endl;
 }
 
 struct Expected
@@ -53,8 +52,8 @@ typedef std::function<void(Geodesic&)> Add_sources;
 
 // Checks the number of curves and of closed curves, the length, everything in Curve_checker (such as crossings), and
 // likewise the curves cut during a build.
-inline void check_level(const std::string& name, const test::Surface_mesh& mesh,
-                        const Add_sources& add_sources, double level, const Expected& expected)
+inline void check_level(const std::string& name, const test::Surface_mesh& mesh, const Add_sources& add_sources, double level,
+                        const Expected& expected)
 {
   Report::instance().set_context(name + ", level " + std::to_string(level));
   try
@@ -74,12 +73,11 @@ inline void check_level(const std::string& name, const test::Surface_mesh& mesh,
     for (const Offset_curves* curves : {&kept, static_cast<const Offset_curves*>(&on_the_way)})
     {
       CHECK_DETAIL(curves->size() == expected.curves, std::to_string(curves->size()) + " curves");
-      CHECK_DETAIL(number_of_closed(*curves) == expected.closed,
-                   std::to_string(number_of_closed(*curves)) + " closed");
+      CHECK_DETAIL(number_of_closed(*curves) == expected.closed, std::to_string(number_of_closed(*curves)) + " closed");
       const double length = total_length(*curves), off = std::abs(length - expected.length);
       if (expected.length > 0) worst = (std::max)(worst, off / expected.length);
-      const double allowed = Known_level_tolerances::length * expected.length +
-                             Known_level_tolerances::level * level * expected.growth;
+      const double allowed =
+        Known_level_tolerances::length * expected.length + Known_level_tolerances::level * level * expected.growth;
       CHECK_DETAIL(off <= allowed, values(length, expected.length));
     }
     CHECK(geodesic.statistics().forced_joints == 0);
@@ -97,24 +95,22 @@ typedef Generated_mesh<test::Surface_mesh> Data;
 struct Square
 {
   Square(Diagonals diagonals, double side)
-    : n(std::size_t(4 / side)), side(side), plane(planar_grid(n, n, diagonals, side)),
-      mesh(plane.data.mesh)
-  {}
+    : n(std::size_t(4 / side)), side(side), plane(planar_grid(n, n, diagonals, side)), mesh(plane.data.mesh)
+  {
+  }
   test::Surface_mesh::Vertex_index vertex(double x, double y) const
   {
     return plane.data.vertices[std::size_t(y / side) * (n + 1) + std::size_t(x / side)];
   }
   Add_sources vertices(std::vector<Point_2> points) const
   {
-    return [=](Geodesic& g)
-    {
+    return [=](Geodesic& g) {
       for (const Point_2& p : points) g.add_source_point(vertex(p.x(), p.y()));
     };
   }
   Add_sources polylines(std::vector<std::vector<Point_2>> lines, bool closed = false) const
   {
-    return [=](Geodesic& g)
-    {
+    return [=](Geodesic& g) {
       for (const auto& l : lines) plane.add(g, l, closed);
     };
   }

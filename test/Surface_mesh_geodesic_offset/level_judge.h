@@ -27,25 +27,23 @@
 namespace test {
 
 /// Faults of the curves of a level.
-enum Fault : unsigned char
-{
+enum Fault : unsigned char {
   GAP,      // pieces do not join, or a curve ends inside the surface
   OUTSIDE,  // a point lies outside of its face
   OFF,      // a point is off the level
   TURN,     // an arc turns by more than pi or backwards, a length is negative, or a segment runs backwards
   EDGE,     // crossings of an edge do not separate near points from far ones
-  VERTEX, // edges at a vertex put it on different sides
+  VERTEX,   // edges at a vertex put it on different sides
   FACE,     // pieces do not separate near witnesses in a face from far ones
-  AREA, // the near area of a face, or its growth with the level, is impossible
-  SIDES, // the offsets of both sides do not add up to the whole offset
+  AREA,     // the near area of a face, or its growth with the level, is impossible
+  SIDES,    // the offsets of both sides do not add up to the whole offset
   ONE_PASS, // curves cut during the propagation differ from those cut from kept windows
   NUMBER_OF_FAULTS
 };
 
 inline const char* name_of(Fault fault)
 {
-  static const char* const names[] = {"gap",    "outside", "off",  "turn",  "edge",
-                                      "vertex", "face",    "area", "sides", "one pass"};
+  static const char* const names[] = {"gap", "outside", "off", "turn", "edge", "vertex", "face", "area", "sides", "one pass"};
   return names[fault];
 }
 
@@ -54,7 +52,7 @@ struct Verdict
 {
   std::size_t faults[NUMBER_OF_FAULTS] = {};
   std::vector<std::string> texts; // first fault of each kind
-  double area = 0, length = 0; // of the near region, and of the curves
+  double area = 0, length = 0;    // of the near region, and of the curves
   std::size_t pieces = 0;
   double worst_gap = 0, worst_outside = 0, worst_off = 0; // in levels plus diagonals
 
@@ -83,7 +81,8 @@ public:
 
   Level_judge(const Judged_surface& surface, const Field_features& features)
     : surface_(surface), features_(features), layout_(surface), labels_(surface.number_of_vertices())
-  {}
+  {
+  }
 
   /// `curves`: all curves of the level, as a range of pointers to `Geodesic::Offset_curve`, or to a type with the same
   /// functions.
@@ -166,8 +165,7 @@ private:
     }
     else
     {
-      const double off = std::abs(CGAL::Geodesic_offset::internal::length(chord) -
-                                  2 * arc.radius * std::sin(arc.angle / 2));
+      const double off = std::abs(CGAL::Geodesic_offset::internal::length(chord) - 2 * arc.radius * std::sin(arc.angle / 2));
       if (!(off <= position_)) verdict.add(TURN, "face %u: the chord of an arc is off by %.3g", f, off);
     }
 
@@ -215,11 +213,9 @@ private:
   {
     const auto end = a.end(), start = b.start();
     const Index f = surface_.index_of(end.first), g = surface_.index_of(start.first);
-    const double gap = Judged_surface::distance(surface_.point(f, weights(end)),
-                                                surface_.point(g, weights(start)));
+    const double gap = Judged_surface::distance(surface_.point(f, weights(end)), surface_.point(g, weights(start)));
     verdict.worst_gap = (std::max)(verdict.worst_gap, gap / scale_);
-    if (!(gap <= position_))
-      verdict.add(GAP, "%.3g between pieces in face %u and face %u", gap, f, g);
+    if (!(gap <= position_)) verdict.add(GAP, "%.3g between pieces in face %u and face %u", gap, f, g);
     if (!layout_.add_joint(a, b)) verdict.add(GAP, "pieces in face %u and face %u join over no edge", f, g);
   }
 
@@ -273,8 +269,7 @@ private:
       put_label(vertex[0], 1, verdict);
       return put_label(vertex[1], 1, verdict);
     }
-    std::sort(crossings.begin(), crossings.end(),
-              [](const Edge_crossing& a, const Edge_crossing& b) { return a.t < b.t; });
+    std::sort(crossings.begin(), crossings.end(), [](const Edge_crossing& a, const Edge_crossing& b) { return a.t < b.t; });
 
     int base = unknown; // label of the first end
     const auto require = [&](double t, bool is_near) {
@@ -284,8 +279,7 @@ private:
       if (base == unknown) base = int(is_near) - sum;
       if (base + sum != int(is_near))
         verdict.add(EDGE, "the edge from vertex %u (%.3g) to vertex %u (%.3g), at %.6g of it, must be %s; %zu crossings",
-                    vertex[0], d0 - cut_, vertex[1], d1 - cut_, t / profile.length, is_near ? "near" : "far",
-                    crossings.size());
+                    vertex[0], d0 - cut_, vertex[1], d1 - cut_, t / profile.length, is_near ? "near" : "far", crossings.size());
     };
     if (std::abs(d0 - cut_) > margin_) require(-1, d0 < cut_);
     profile.nearer_than(cut_ - margin_, eroded, near_);
@@ -325,8 +319,7 @@ private:
   void put_label(Index v, int label, Verdict& verdict)
   {
     if (labels_[v] != unknown && labels_[v] != label)
-      verdict.add(VERTEX, "edges of vertex %u (%.3g) put it on different sides", v,
-                  surface_.vertex_distance(v) - cut_);
+      verdict.add(VERTEX, "edges of vertex %u (%.3g) put it on different sides", v, surface_.vertex_distance(v) - cut_);
     labels_[v] = static_cast<signed char>(label);
   }
 
@@ -335,8 +328,7 @@ private:
   void judge_faces(Verdict& verdict)
   {
     for (Index f = 0; f < Index(surface_.number_of_faces()); ++f)
-      if (surface_.is_used(f) && std::isfinite(surface_.vertex_distance(surface_.origin(3 * f))))
-        judge_face(f, verdict);
+      if (surface_.is_used(f) && std::isfinite(surface_.vertex_distance(surface_.origin(3 * f)))) judge_face(f, verdict);
   }
 
   void judge_face(Index f, Verdict& verdict)
@@ -348,8 +340,7 @@ private:
     const auto consider = [&](const Witness& w) {
       if (std::abs(w.distance - cut_) > std::abs(reference.distance - cut_)) reference = w;
     };
-    for (int k = 0; k < 3; ++k)
-      consider({face.corner[k], surface_.vertex_distance(surface_.origin(3 * f + Index(k)))});
+    for (int k = 0; k < 3; ++k) consider({face.corner[k], surface_.vertex_distance(surface_.origin(3 * f + Index(k)))});
     for (const Witness& w : features_.witnesses[f]) consider(w);
     if (std::abs(reference.distance - cut_) > margin_)
       for (const Witness& w : features_.witnesses[f])
@@ -364,8 +355,7 @@ private:
 
     const double area = layout_.near_area(face, [&](Index v) { return labels_[v] == 1; });
     verdict.area += area;
-    const double tolerance =
-      position_ * (face.edge_length(0) + face.edge_length(1) + face.edge_length(2));
+    const double tolerance = position_ * (face.edge_length(0) + face.edge_length(1) + face.edge_length(2));
     if (!(area >= -tolerance && area <= face.area() + tolerance))
       verdict.add(AREA, "face %u: the near part is %.6g of the face, %.6g", f, area / face.area(), area);
   }

@@ -37,8 +37,7 @@ struct Curve_arc
   /// `piece`: a `Geodesic_offset_piece`, or a type with the same functions
   template <class Piece>
   explicit Curve_arc(const Piece& piece)
-    : is_straight(piece.is_segment()), start(plain(piece.start_2())), end(plain(piece.end_2())),
-      angle(piece.angle())
+    : is_straight(piece.is_segment()), start(plain(piece.start_2())), end(plain(piece.end_2())), angle(piece.angle())
   {
     if (is_straight)
     {
@@ -55,10 +54,7 @@ struct Curve_arc
   }
 
   /// Distance of a point from the whole circle or line.
-  double off(const Point_in_face& p) const
-  {
-    return std::abs((is_straight ? dot(center, p) : length(p - center)) - radius);
-  }
+  double off(const Point_in_face& p) const { return std::abs((is_straight ? dot(center, p) : length(p - center)) - radius); }
 
   /// Whether the segment from p to q crosses the arc an odd number of times: its chord separates them, or one of them lies
   /// between the chord and the arc. The height of an arc over its chord is at most r s^2 / 8.
@@ -90,8 +86,7 @@ private:
   }
   static double minus_sine(double s)
   {
-    return s < 0.1 ? s * s * s / 6 * (1 - s * s / 20 * (1 - s * s / 42 * (1 - s * s / 72)))
-                   : s - std::sin(s);
+    return s < 0.1 ? s * s * s / 6 * (1 - s * s / 20 * (1 - s * s / 42 * (1 - s * s / 72))) : s - std::sin(s);
   }
 };
 
@@ -111,7 +106,8 @@ public:
 
   explicit Level_layout(const Judged_surface& surface)
     : surface_(surface), arcs_(surface.number_of_faces()), crossings_(3 * surface.number_of_faces())
-  {}
+  {
+  }
 
   void clear()
   {
@@ -140,9 +136,7 @@ public:
     for (Index k = 0; k < 3; ++k)
     { // coordinate k + 2 is zero on halfedge k
       const Index twin = surface_.twin(3 * f + k);
-      if (end.second[(k + 2) % 3] != 0 || twin == none || twin / 3 != g ||
-          start.second[(twin % 3 + 2) % 3] != 0)
-        continue;
+      if (end.second[(k + 2) % 3] != 0 || twin == none || twin / 3 != g || start.second[(twin % 3 + 2) % 3] != 0) continue;
       add_crossing(3 * f + k, end.second[(k + 1) % 3], 1);
       return true;
     }
@@ -176,8 +170,7 @@ public:
       add_arc(surface_.index_of(piece.face()), Curve_arc(piece));
       if (i + 1 < n || curve.is_closed()) fits = add_joint(piece, curve.piece((i + 1) % n)) && fits;
     }
-    if (fits && !curve.is_closed())
-      fits = add_end(curve.piece(0), true) && add_end(curve.piece(n - 1), false);
+    if (fits && !curve.is_closed()) fits = add_end(curve.piece(0), true) && add_end(curve.piece(n - 1), false);
     return fits;
   }
   /// @}
@@ -197,8 +190,7 @@ public:
     for (const Curve_arc& arc : arcs_[face.face]) twice_area += arc.twice_area_from(o);
     // a third of the height over an edge is the height of the centroid
     for (int k = 0; k < 3; ++k)
-      twice_area += face.height((k + 2) % 3) / 3 *
-                    near_length(3 * face.face + Index(k), face.edge_length(k), is_near);
+      twice_area += face.height((k + 2) % 3) / 3 * near_length(3 * face.face + Index(k), face.edge_length(k), is_near);
     return twice_area / 2;
   }
 
@@ -228,7 +220,7 @@ private:
   const Judged_surface& surface_;
   std::vector<std::vector<Curve_arc>> arcs_;          // by face
   std::vector<std::vector<Edge_crossing>> crossings_; // by edge
-  std::vector<Index> faces_, edges_; // with at least one arc, or crossing
+  std::vector<Index> faces_, edges_;                  // with at least one arc, or crossing
 };
 
 } // namespace test

@@ -62,8 +62,7 @@ public:
   }
 
   /// Converts the location to face `f` if all vertices with weight are corners of `f`.
-  bool express(const Face_location& location, face_descriptor f,
-               Barycentric_coordinates& result) const
+  bool express(const Face_location& location, face_descriptor f, Barycentric_coordinates& result) const
   {
     if (location.first == f)
     {
@@ -88,8 +87,7 @@ public:
     const vertex_descriptor v = support(location).front().first;
     Barycentric_coordinates ignored;
     for (halfedge_descriptor h : CGAL::halfedges_around_target(v, mesh_))
-      if (!is_border(h, mesh_) && express(location, face(h, mesh_), ignored))
-        result.push_back(face(h, mesh_));
+      if (!is_border(h, mesh_) && express(location, face(h, mesh_), ignored)) result.push_back(face(h, mesh_));
     return result;
   }
 
@@ -162,8 +160,7 @@ double bounding_box_diagonal(const TriangleMesh& mesh)
   CGAL::Bbox_3 box;
   const auto points = get(CGAL::vertex_point, mesh);
   for (auto v : vertices(mesh)) box += get(points, v).bbox();
-  return std::sqrt(CGAL::square(box.x_span()) + CGAL::square(box.y_span()) +
-                   CGAL::square(box.z_span()));
+  return std::sqrt(CGAL::square(box.x_span()) + CGAL::square(box.y_span()) + CGAL::square(box.z_span()));
 }
 
 } // namespace test

@@ -117,7 +117,7 @@ private:
   std::vector<test::Point_3> points_;
   std::vector<Vertex> vertices_;
   std::vector<Face> faces_;
-  std::vector<std::size_t> out_, of_face_;               // halfedges
+  std::vector<std::size_t> out_, of_face_;                   // halfedges
   std::vector<std::size_t> target_, face_, next_, previous_; // of halfedges
 };
 

@@ -47,7 +47,8 @@ public:
   /// Writes up to `printed` wrong distances to `log`.
   Near_vertex_search(std::ostream& log, std::size_t printed, std::size_t queries, Sources sources = BESIDE)
     : log_(log), printed_(printed), queries_(queries), sources_(sources)
-  {}
+  {
+  }
 
   /// Runs the case of a seed.
   void run(unsigned seed)
@@ -86,8 +87,15 @@ public:
   static Soup large_beside_small_faces()
   {
     Soup soup;
-    soup.points = {Point_3(0, 0, 0), Point_3(73.6, 59, 0), Point_3(0, 1, 0), Point_3(0.1, 0.057, -0.02), Point_3(0.2, 0.164, -0.065),
-                   Point_3(0.04, 0.03, 0), Point_3(0.023, 0.0197, -0.0072), Point_3(0.004, 0.002, 0), Point_3(0.007, 0.002, 0)};
+    soup.points = {Point_3(0, 0, 0),
+                   Point_3(73.6, 59, 0),
+                   Point_3(0, 1, 0),
+                   Point_3(0.1, 0.057, -0.02),
+                   Point_3(0.2, 0.164, -0.065),
+                   Point_3(0.04, 0.03, 0),
+                   Point_3(0.023, 0.0197, -0.0072),
+                   Point_3(0.004, 0.002, 0),
+                   Point_3(0.007, 0.002, 0)};
     static const std::array<std::size_t, 3> triangles[] = {{0, 4, 1}, {2, 0, 5}, {0, 2, 6}, {1, 4, 6}, {0, 3, 7},
                                                            {3, 0, 8}, {1, 6, 2}, {4, 0, 6}, {3, 5, 7}, {5, 0, 7}};
     for (const auto& t : triangles) soup.add_triangle(t);
@@ -111,7 +119,8 @@ private:
   void run_around(unsigned seed)
   {
     const std::size_t kind = uniform_index(random_, 5);
-    static const char* const names[5] = {"graded discs", "graded cones", "graded saddles", "bent graded discs", "large beside small"};
+    static const char* const names[5] = {"graded discs", "graded cones", "graded saddles", "bent graded discs",
+                                         "large beside small"};
     Soup soup = kind == 4 ? changed(large_beside_small_faces()) : make_graded_mesh(kind, seed);
     for (auto& t : soup.triangles) // the first corner is the origin of coordinates in the face
       std::rotate(t.begin(), t.begin() + std::ptrdiff_t(uniform_index(random_, 3)), t.end());
@@ -125,13 +134,12 @@ private:
   void run_in_needles(unsigned seed)
   {
     const std::size_t kind = uniform_index(random_, 4);
-    static const char* const names[4] = {"flat bands of needles", "bent bands of needles", "flat fans of needles", "bent fans of needles"};
+    static const char* const names[4] = {"flat bands of needles", "bent bands of needles", "flat fans of needles",
+                                         "bent fans of needles"};
     Soup soup = kind < 2 ? needle_bands(kind == 1) : needle_fan(kind == 3);
-    for (auto& t : soup.triangles)
-      std::rotate(t.begin(), t.begin() + std::ptrdiff_t(uniform_index(random_, 3)), t.end());
-    count_mesh(names[kind], [&](Near_vertex_counts& counts) {
-      check_points(soup, Generated_mesh<Surface_mesh>(soup), counts, seed);
-    });
+    for (auto& t : soup.triangles) std::rotate(t.begin(), t.begin() + std::ptrdiff_t(uniform_index(random_, 3)), t.end());
+    count_mesh(names[kind],
+               [&](Near_vertex_counts& counts) { check_points(soup, Generated_mesh<Surface_mesh>(soup), counts, seed); });
   }
 
   /// A bounding ray of the segment runs along the edge, and rays of its end cross the edge far from the vertex. The heights of
@@ -142,7 +150,8 @@ private:
     static const char* const names[4] = {"flat discs", "flat grids", "almost flat discs", "almost flat grids"};
     const std::size_t columns = 1 + uniform_index(random_, 3), rows = 1 + uniform_index(random_, 3);
     // Diagonals by a seed of their own: those of consecutive seeds are alike.
-    Soup soup = kind % 2 == 0 ? make_mesh(1, seed) : planar_grid(columns, rows, Diagonals::random, 1, 0, static_cast<unsigned>(random_()));
+    Soup soup = kind % 2 == 0 ? make_mesh(1, seed)
+                              : planar_grid(columns, rows, Diagonals::random, 1, 0, static_cast<unsigned>(random_()));
     const double noise = kind < 2 ? 0 : std::pow(10, uniform(random_, -9, -3));
     for (Point_3& p : soup.points) p = Point_3(p.x(), p.y(), noise * uniform(random_, -1, 1));
     count_mesh(names[kind], [&](Near_vertex_counts& counts) {
@@ -150,7 +159,8 @@ private:
       const std::vector<Location> segment = perpendicular_segment(soup);
       if (kind < 2) return compare_polyline_in_plane(soup, data, segment, counts, seed);
       Geodesic geodesic(data.mesh);
-      compare_polyline(soup, data, geodesic, {location(soup, data, segment[0]), location(soup, data, segment[1])}, false, counts, seed);
+      compare_polyline(soup, data, geodesic, {location(soup, data, segment[0]), location(soup, data, segment[1])}, false,
+                       counts, seed);
     });
   }
 
@@ -169,8 +179,10 @@ private:
             if (v != t[k]) neighbours.push_back(v);
       const Vector_3 along = soup.points[neighbours[uniform_index(random_, neighbours.size())]] - soup.points[t[k]];
       const Vector_3 a = soup.points[t[1]] - soup.points[t[0]], b = soup.points[t[2]] - soup.points[t[0]];
-      const Vector_3 normal = CGAL::cross_product(a, b), across = CGAL::cross_product(normal, along) / std::sqrt(normal.squared_length());
-      const double sign = uniform(random_) < 0.5 ? -1 : 1, turn = uniform(random_) < 0.5 ? 0 : std::pow(10, uniform(random_, -16, -2));
+      const Vector_3 normal = CGAL::cross_product(a, b),
+                     across = CGAL::cross_product(normal, along) / std::sqrt(normal.squared_length());
+      const double sign = uniform(random_) < 0.5 ? -1 : 1,
+                   turn = uniform(random_) < 0.5 ? 0 : std::pow(10, uniform(random_, -16, -2));
       const Vector_3 u = sign * across + turn * uniform(random_, -1, 1) * along;
       const double size = std::pow(10, uniform(random_, -16, -3));
       std::array<double, 3> w;
@@ -187,7 +199,8 @@ private:
       for (std::size_t i = 0; i < 3; ++i)
         if (g[i] < 0) most = (std::min)(most, -w[i] / g[i]);
       if (!(most > 1e-6)) continue; // leaves the triangle
-      const double length = most * (uniform(random_) < 0.7 ? uniform(random_, 0.05, 0.95) : std::pow(10, uniform(random_, -5, -1)));
+      const double length =
+        most * (uniform(random_) < 0.7 ? uniform(random_, 0.05, 0.95) : std::pow(10, uniform(random_, -5, -1)));
       std::array<double, 3> end;
       for (std::size_t i = 0; i < 3; ++i) end[i] = w[i] + length * g[i];
       return {{f, w}, {f, end}};
@@ -216,9 +229,11 @@ private:
     for (std::size_t i = 0; i <= bands; ++i)
       for (std::size_t j = 0; j <= rows; ++j)
       {
-        const bool is_inside = i > 0 && i < bands, is_between = j > 0 && j < rows;
+        const bool is_inside = i > 0 && i < bands;
+        const bool is_between = j > 0 && j < rows;
         const double out = is_inside || is_bent ? std::pow(10, uniform(random_, -9, -1)) * (is_bent ? step : 1) : 0;
-        const double along = is_between ? uniform(random_, -0.3, 0.3) : 0, height = is_bent ? step * uniform(random_, -0.3, 0.3) : 0;
+        const double along = is_between ? uniform(random_, -0.3, 0.3) : 0,
+                     height = is_bent ? step * uniform(random_, -0.3, 0.3) : 0;
         soup.points.push_back(Point_3(double(i) + out, step * (double(j) + along), height));
       }
     for (std::size_t i = 0; i < bands; ++i)
@@ -278,8 +293,11 @@ private:
   /// Disc with edges of very different lengths; the height of its points makes it a cone, a saddle, or bends it everywhere.
   Soup make_graded_mesh(std::size_t kind, unsigned seed)
   {
-    const double decades = uniform(random_, 0, 6), slope = std::pow(10, uniform(random_, -3, 0.5)), bending = kind == 0 ? 0 : std::pow(10, uniform(random_) < 0.3 ? uniform(random_, -6, -1) : uniform(random_, -1, 0.3));
-    const std::size_t number = 7 + uniform_index(random_, uniform(random_) < 0.3 ? 24 : 8), waves = 2 + uniform_index(random_, 2);
+    const double decades = uniform(random_, 0, 6), slope = std::pow(10, uniform(random_, -3, 0.5)),
+                 bending =
+                   kind == 0 ? 0 : std::pow(10, uniform(random_) < 0.3 ? uniform(random_, -6, -1) : uniform(random_, -1, 0.3));
+    const std::size_t number = 7 + uniform_index(random_, uniform(random_) < 0.3 ? 24 : 8),
+                      waves = 2 + uniform_index(random_, 2);
     Soup soup = uniform(random_) < 0.3 ? graded_disc(number, decades, bending, seed) : graded_corner(number, bending);
     flip_edges(soup, uniform_index(random_, 3 * number));
     std::vector<Point_3>& points = soup.points;
@@ -367,8 +385,7 @@ private:
       plane.push_back(Point_2(r * std::cos(angle), r * std::sin(angle)));
     }
     Soup soup;
-    for (const Point_2& p : plane)
-      soup.points.push_back(Point_3(p.x(), p.y(), kind == 4 ? uniform(random_, -0.4, 0.4) : 0));
+    for (const Point_2& p : plane) soup.points.push_back(Point_3(p.x(), p.y(), kind == 4 ? uniform(random_, -0.4, 0.4) : 0));
     for (const auto& t : delaunay_triangles(plane)) soup.add_triangle(t);
     return soup;
   }
@@ -424,8 +441,7 @@ private:
   std::vector<Location> make_queries(const Soup& soup, const std::vector<Location>& sources)
   {
     std::vector<Location> result;
-    for (std::size_t i = 0; i < queries_; ++i)
-      result.push_back({uniform_index(random_, soup.triangles.size()), anywhere()});
+    for (std::size_t i = 0; i < queries_; ++i) result.push_back({uniform_index(random_, soup.triangles.size()), anywhere()});
     for (std::size_t i = 0; i < queries_ / 8; ++i) result.push_back(beside(sources[uniform_index(random_, sources.size())]));
     for (std::size_t i = 0; i < queries_ && sources_ == PERPENDICULAR; ++i)
       result.push_back({uniform_index(random_, soup.triangles.size()), beside_side()});
@@ -451,8 +467,9 @@ private:
 
   /// Compares the distances of queries and vertices with those expected.
   template <class Of_query, class Of_vertex>
-  void compare(const Soup& soup, const Generated_mesh<Surface_mesh>& data, const Geodesic& geodesic, const std::vector<Location>& queries,
-               const Of_query& of_query, const Of_vertex& of_vertex, Near_vertex_counts& counts, unsigned seed)
+  void compare(const Soup& soup, const Generated_mesh<Surface_mesh>& data, const Geodesic& geodesic,
+               const std::vector<Location>& queries, const Of_query& of_query, const Of_vertex& of_vertex,
+               Near_vertex_counts& counts, unsigned seed)
   {
     typedef std::array<std::size_t, 3> Triangle;
     const double size = longest_edge(soup, [](const Triangle&) { return true; });
@@ -470,7 +487,8 @@ private:
   }
 
   /// `near`: longest edge next to the point.
-  void compare(double distance, double expected, double size, double near, Near_vertex_counts& counts, unsigned seed, std::size_t query)
+  void compare(double distance, double expected, double size, double near, Near_vertex_counts& counts, unsigned seed,
+               std::size_t query)
   {
     ++counts.queries;
     const double error = std::abs(distance - expected) / (expected + size);
@@ -497,8 +515,9 @@ private:
     Geodesic geodesic(data.mesh);
     for (const Location& s : sources) geodesic.add_source_point(location(soup, data, s));
     geodesic.build(CGAL::parameters::keep_windows(true));
-    compare(soup, data, geodesic, queries, [&](std::size_t q) { return double(reference.of_query(q)); },
-            [&](std::size_t v) { return double(reference.of_vertex(v)); }, counts, seed);
+    compare(
+      soup, data, geodesic, queries, [&](std::size_t q) { return double(reference.of_query(q)); },
+      [&](std::size_t v) { return double(reference.of_vertex(v)); }, counts, seed);
   }
 
   /// A polyline in the faces around a vertex: through points of consecutive edges or faces, at 1e-8 to 1 of their length from the
@@ -515,9 +534,11 @@ private:
       return data.mesh.opposite(data.mesh.halfedge(v));
     }();
     auto h = start; // leaves v
-    do
-    {
-      const double t = is_equal ? size : uniform(random_) < 0.5 ? uniform(random_) : std::pow(10, uniform(random_, -8, -0.3)), part = uniform(random_);
+    do {
+      const double t = is_equal               ? size
+                     : uniform(random_) < 0.5 ? uniform(random_)
+                                              : std::pow(10, uniform(random_, -8, -0.3)),
+                   part = uniform(random_);
       if (uniform(random_) < 0.05) result.push_back(locations.at_vertex(v));
       if (data.mesh.is_border(h)) // the last edge
       {
@@ -530,9 +551,11 @@ private:
       {
         Face_location l(data.mesh.face(h), {0, 0, 0});
         const auto c = locations.corners(l.first);
-        for (std::size_t k = 0; k < 3; ++k) l.second[k] = c[k] == v ? 1 - t : c[k] == data.mesh.target(h) ? t * part : t * (1 - part);
+        for (std::size_t k = 0; k < 3; ++k)
+          l.second[k] = c[k] == v ? 1 - t : c[k] == data.mesh.target(h) ? t * part : t * (1 - part);
         // neighbours in one face, or with a point of the edge between
-        if (!result.empty() && locations.common_face(result.back(), l) == Surface_mesh::null_face()) result.push_back(locations.on_edge(h, t));
+        if (!result.empty() && locations.common_face(result.back(), l) == Surface_mesh::null_face())
+          result.push_back(locations.on_edge(h, t));
         result.push_back(l);
       }
       if (uniform(random_) < 0.05) result.push_back(result.back());
@@ -554,7 +577,8 @@ private:
     const Locations<Surface_mesh> locations(data.mesh);
     Geodesic geodesic(data.mesh);
     std::vector<Face_location> polyline = polyline_around(data, v);
-    bool is_closed = locations.common_face(polyline.front(), polyline.back()) != Surface_mesh::null_face() && uniform(random_) < 0.6;
+    bool is_closed =
+      locations.common_face(polyline.front(), polyline.back()) != Surface_mesh::null_face() && uniform(random_) < 0.6;
     if (uniform(random_) < 0.2)
     { // joined to a point elsewhere
       polyline.push_back(location(soup, data, {uniform_index(random_, soup.triangles.size()), anywhere()}));
@@ -599,8 +623,9 @@ private:
     reference.solve({}, sources, queries, segments);
     geodesic.add_source_polyline(polyline, is_closed);
     geodesic.build(CGAL::parameters::keep_windows(true));
-    compare(soup, data, geodesic, queries, [&](std::size_t q) { return double(reference.of_query(q)); },
-            [&](std::size_t v) { return double(reference.of_vertex(v)); }, counts, seed);
+    compare(
+      soup, data, geodesic, queries, [&](std::size_t q) { return double(reference.of_query(q)); },
+      [&](std::size_t v) { return double(reference.of_vertex(v)); }, counts, seed);
   }
 
   struct Planar
@@ -642,8 +667,8 @@ private:
   }
 
   /// `corners`: of a polyline in one triangle of a flat convex mesh.
-  void compare_polyline_in_plane(const Soup& soup, const Generated_mesh<Surface_mesh>& data, const std::vector<Location>& corners,
-                                 Near_vertex_counts& counts, unsigned seed)
+  void compare_polyline_in_plane(const Soup& soup, const Generated_mesh<Surface_mesh>& data,
+                                 const std::vector<Location>& corners, Near_vertex_counts& counts, unsigned seed)
   {
     const std::vector<Location> queries = make_queries(soup, corners);
     std::vector<Face_location> polyline;
@@ -658,12 +683,15 @@ private:
     geodesic.build(CGAL::parameters::keep_windows(true));
     const auto expected = [&](const Planar& p) {
       long double d = infinity();
-      for (std::size_t i = 1; i < placed.size(); ++i)
-        d = (std::min)(d, distance_to_segment(p, placed[i - 1], placed[i]));
+      for (std::size_t i = 1; i < placed.size(); ++i) d = (std::min)(d, distance_to_segment(p, placed[i - 1], placed[i]));
       return double(d);
     };
-    compare(soup, data, geodesic, queries, [&](std::size_t q) { return expected(in_plane(soup, queries[q])); },
-            [&](std::size_t v) { return expected({soup.points[v].x(), soup.points[v].y()}); }, counts, seed);
+    compare(
+      soup, data, geodesic, queries, [&](std::size_t q) { return expected(in_plane(soup, queries[q])); },
+      [&](std::size_t v) {
+      return expected({soup.points[v].x(), soup.points[v].y()});
+      },
+      counts, seed);
   }
 
   static long double infinity() { return std::numeric_limits<long double>::infinity(); }

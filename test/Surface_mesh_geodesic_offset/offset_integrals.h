@@ -22,9 +22,9 @@ namespace test {
 /// Offset at one level.
 struct Level_measure
 {
-  double cut = 0; // distance at which the level is cut
-  double length = 0; // of all curves
-  bool fits = true; // all pieces are joined, and all curves are closed or end on the border
+  double cut = 0;            // distance at which the level is cut
+  double length = 0;         // of all curves
+  bool fits = true;          // all pieces are joined, and all curves are closed or end on the border
   std::vector<double> areas; // of the near part of each face
 
   // Numbers that are constant between events: those of curves, of joints inside faces, and of changes of the source along
@@ -105,8 +105,7 @@ public:
     result.areas.resize(face_areas_.size());
     for (Index f = 0; f < face_areas_.size(); ++f)
       result.areas[f] = surface_.is_used(f) && is_near(surface_.origin(3 * f)) ? face_areas_[f] : 0;
-    for (const Index f : layout_.crossed_faces())
-      result.areas[f] = layout_.near_area(surface_.face_at(f), is_near);
+    for (const Index f : layout_.crossed_faces()) result.areas[f] = layout_.near_area(surface_.face_at(f), is_near);
     return result;
   }
 
@@ -118,10 +117,9 @@ public:
     for (std::size_t f = 0; f < from.areas.size(); ++f) result.area += to.areas[f] - from.areas[f];
     static const double x3[] = {0, 0.7745966692414834, -0.7745966692414834};
     static const double w3[] = {8. / 9, 5. / 9, 5. / 9};
-    static const double x5[] = {0, 0.5384693101056831, -0.5384693101056831, 0.9061798459386640,
-                                -0.9061798459386640};
-    static const double w5[] = {0.5688888888888889, 0.4786286704993665, 0.4786286704993665,
-                                0.2369268850561891, 0.2369268850561891};
+    static const double x5[] = {0, 0.5384693101056831, -0.5384693101056831, 0.9061798459386640, -0.9061798459386640};
+    static const double w5[] = {0.5688888888888889, 0.4786286704993665, 0.4786286704993665, 0.2369268850561891,
+                                0.2369268850561891};
     const double *x = nodes == 3 ? x3 : x5, *w = nodes == 3 ? w3 : w5;
     const double middle = (from.cut + to.cut) / 2, half = (to.cut - from.cut) / 2;
     for (int i = 0; i < nodes; ++i)
@@ -139,10 +137,8 @@ public:
   {
     const auto vertex = std::lower_bound(vertex_distances_.begin(), vertex_distances_.end(), distance);
     double half = Tolerances::shrink * (std::min)(distance, largest_distance_ - distance);
-    if (vertex != vertex_distances_.end())
-      half = (std::min)(half, Tolerances::part_to_vertex * (*vertex - distance));
-    if (vertex != vertex_distances_.begin())
-      half = (std::min)(half, Tolerances::part_to_vertex * (distance - *(vertex - 1)));
+    if (vertex != vertex_distances_.end()) half = (std::min)(half, Tolerances::part_to_vertex * (*vertex - distance));
+    if (vertex != vertex_distances_.begin()) half = (std::min)(half, Tolerances::part_to_vertex * (distance - *(vertex - 1)));
     for (; half > Tolerances::narrowest_window * surface_.diagonal(); half *= Tolerances::shrink)
     {
       const Level_measure from = measure(level_cut_at(distance - half)), to = measure(level_cut_at(distance + half));
@@ -194,10 +190,8 @@ private:
     {
       const Offset_piece a = curve.piece(i), b = curve.piece((i + 1) % n);
       result.joints += a.face() == b.face() ? 1 : 0;
-      result.source_changes += a.source() != b.source() || a.source_part() != b.source_part() ||
-                                   a.pseudo_source() != b.pseudo_source()
-                                 ? 1
-                                 : 0;
+      result.source_changes +=
+        a.source() != b.source() || a.source_part() != b.source_part() || a.pseudo_source() != b.pseudo_source() ? 1 : 0;
     }
   }
 
@@ -232,10 +226,7 @@ struct Lengths_by_side
   // beyond: round ends, and sources without sides.
   double whole = 0, left = 0, right = 0, beyond = 0;
 
-  double relative_difference() const
-  {
-    return std::abs(whole - (left + right + beyond)) / whole;
-  }
+  double relative_difference() const { return std::abs(whole - (left + right + beyond)) / whole; }
 };
 
 /// The library cuts the sides separately; curves without side are those that both sides with round ends have in common.

@@ -85,7 +85,7 @@ public:
                                                                   field_.maximum, {});
     cut_.levels = cutting.levels_of(face, field_.maximum);
     cutting.find_crossings(face, field_.maximum, {0, 0, 0}, cut_); // on all three edges
-    std::vector<double> position; // of gates
+    std::vector<double> position;                                  // of gates
     for (int k = 0; k < 3; ++k)
       for (auto& c : cut_.crossings[std::size_t(k)])
       {
@@ -155,19 +155,19 @@ private:
 
 struct Oracle_counts
 {
-  std::size_t faces = 0; // compared faces, each at one level
-  std::size_t empty = 0; // of these, not crossed by the level
+  std::size_t faces = 0;                                    // compared faces, each at one level
+  std::size_t empty = 0;                                    // of these, not crossed by the level
   std::size_t chains = 0, loops = 0, arcs = 0, windows = 0; // in these; arcs are the tracer's
-  std::size_t with_points = 0; // with chains of the size of rounding, which are not compared
-  std::size_t near_event = 0; // with the topology of a level within the margin
-  std::size_t within_band = 0; // with chains that bound the level of a distance within the margin
+  std::size_t with_points = 0;                              // with chains of the size of rounding, which are not compared
+  std::size_t near_event = 0;                               // with the topology of a level within the margin
+  std::size_t within_band = 0;                              // with chains that bound the level of a distance within the margin
   // Chains deviate by more than rounding, and so do those of exact levels within the margin.
   std::size_t ill_conditioned = 0;
-  std::size_t left_out = 0; // faces with too many windows
-  std::size_t topology = 0; // differences: connections of gates, or loops
-  std::size_t apart = 0; // differences: distance of chains
-  std::size_t forced = 0;   // joints
-  std::size_t thrown = 0;   // exceptions
+  std::size_t left_out = 0;  // faces with too many windows
+  std::size_t topology = 0;  // differences: connections of gates, or loops
+  std::size_t apart = 0;     // differences: distance of chains
+  std::size_t forced = 0;    // joints
+  std::size_t thrown = 0;    // exceptions
   double worst_distance = 0; // of chains that are not ill-conditioned, in units
 
   void add(const Oracle_counts& o)
@@ -462,10 +462,10 @@ private:
     for (const Level_chain& c : chains)
     {
       char buffer[80];
-      if (c.is_closed)
-        std::snprintf(buffer, sizeof(buffer), "a loop about (%.9g, %.9g)", c.arcs[0].start.x, c.arcs[0].start.y);
+      if (c.is_closed) std::snprintf(buffer, sizeof(buffer), "a loop about (%.9g, %.9g)", c.arcs[0].start.x, c.arcs[0].start.y);
       else std::snprintf(buffer, sizeof(buffer), "%.15g to %.15g", c.from, c.to);
-      text += (text.empty() ? "" : ", ") + std::string(buffer) + " in " + std::to_string(c.arcs.size()) + " pieces" + size_text(c);
+      text +=
+        (text.empty() ? "" : ", ") + std::string(buffer) + " in " + std::to_string(c.arcs.size()) + " pieces" + size_text(c);
     }
     return text.empty() ? "nothing" : text;
   }
@@ -480,8 +480,8 @@ private:
     for (const Face_window& w : field.windows())
     {
       std::snprintf(buffer, sizeof(buffer), "\n  %s, origin %d: %.17g %.17g, sigma %.17g, left %.17g %.17g, right %.17g %.17g",
-                    w.is_parallel() ? "parallel" : "point", int(w.origin), w.x, w.y, w.sigma, w.left.x, w.left.y,
-                    w.right.x, w.right.y);
+                    w.is_parallel() ? "parallel" : "point", int(w.origin), w.x, w.y, w.sigma, w.left.x, w.left.y, w.right.x,
+                    w.right.y);
       text += buffer;
     }
     return text;

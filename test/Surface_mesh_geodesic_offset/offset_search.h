@@ -23,26 +23,26 @@ namespace test {
 
 struct Search_options
 {
-  unsigned seed = 1; // of the first case; consecutive
-  std::size_t meshes = 1000;    // cases
-  double seconds = 1e9; // no case starts later
-  std::size_t levels = 16;      // per mesh
-  std::string kind;             // of meshes; all if empty
-  std::size_t sources = 0;      // if not 0: sources of up to so many kinds, and some meshes jittered
-  double level = 0; // if nonzero, the only level
+  unsigned seed = 1;         // of the first case; consecutive
+  std::size_t meshes = 1000; // cases
+  double seconds = 1e9;      // no case starts later
+  std::size_t levels = 16;   // per mesh
+  std::string kind;          // of meshes; all if empty
+  std::size_t sources = 0;   // if not 0: sources of up to so many kinds, and some meshes jittered
+  double level = 0;          // if nonzero, the only level
   std::size_t validate = 10; // period of validations by Offset_validation; 0: none
   std::size_t printed = 100; // maximum number of printed failures
-  bool verbose = false;         // print each case
-  std::string write; // prefix of the files of wrong cases
+  bool verbose = false;      // print each case
+  std::string write;         // prefix of the files of wrong cases
 };
 
 /// Results for a kind of meshes or in total.
 struct Search_counts
 {
   std::size_t meshes = 0, levels = 0, pieces = 0;
-  std::size_t wrong = 0;  // levels whose curves are wrong
+  std::size_t wrong = 0;                     // levels whose curves are wrong
   std::size_t faults[NUMBER_OF_FAULTS] = {}; // levels with this fault
-  std::size_t critical = 0; // levels whose topology differs in one pass, within rounding of an event
+  std::size_t critical = 0;                  // levels whose topology differs in one pass, within rounding of an event
   std::size_t forced_joints = 0, exceptions = 0;
   std::size_t validated = 0, invalid = 0; // meshes, by Offset_validation
   double worst_gap = 0, worst_outside = 0, worst_off = 0;
@@ -102,17 +102,13 @@ public:
 private:
   static void print_row(const std::string& name, const Search_counts& c)
   {
-    std::printf("%-16s %7zu %8zu %9zu %8zu %6zu %6zu %6zu", name.c_str(), c.meshes, c.levels, c.pieces, c.critical,
-                c.wrong, c.forced_joints, c.exceptions);
+    std::printf("%-16s %7zu %8zu %9zu %8zu %6zu %6zu %6zu", name.c_str(), c.meshes, c.levels, c.pieces, c.critical, c.wrong,
+                c.forced_joints, c.exceptions);
     for (int k = 0; k < NUMBER_OF_FAULTS; ++k) std::printf(" %8zu", c.faults[k]);
-    std::printf(" %5zu of %4zu %8.1e %8.1e %8.1e\n", c.invalid, c.validated, c.worst_gap, c.worst_outside,
-                c.worst_off);
+    std::printf(" %5zu of %4zu %8.1e %8.1e %8.1e\n", c.invalid, c.validated, c.worst_gap, c.worst_outside, c.worst_off);
   }
 
-  static double now()
-  {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-  }
+  static double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
   void run_case(unsigned seed)
   {
@@ -150,8 +146,7 @@ private:
     geodesic.build(CGAL::parameters::keep_windows(true));
     const Judged_surface surface(geodesic, mesh);
     const Field_features features(geodesic, mesh, surface, random);
-    std::vector<double> levels =
-      Level_drawing(features, surface.diagonal(), random)(options_.levels);
+    std::vector<double> levels = Level_drawing(features, surface.diagonal(), random)(options_.levels);
     if (options_.level > 0) levels = {options_.level};
     if (levels.empty()) return;
     if (options_.verbose) print(std::to_string(levels.size()) + " levels");
@@ -234,10 +229,8 @@ private:
   {
     for (const CGAL::Offset_side side : {CGAL::Offset_side::LEFT, CGAL::Offset_side::RIGHT})
     {
-      const CGAL::Source_side of_piece =
-        side == CGAL::Offset_side::LEFT ? CGAL::Source_side::LEFT : CGAL::Source_side::RIGHT;
-      const Offset_curves part =
-        offsets(geodesic, levels, Offset_selection(side, CGAL::Offset_end::BUTT));
+      const CGAL::Source_side of_piece = side == CGAL::Offset_side::LEFT ? CGAL::Source_side::LEFT : CGAL::Source_side::RIGHT;
+      const Offset_curves part = offsets(geodesic, levels, Offset_selection(side, CGAL::Offset_end::BUTT));
       for (std::size_t i = 0; i < levels.size(); ++i)
       {
         double expected = 0, actual = 0;
@@ -291,8 +284,7 @@ private:
     options.probes = Search_tolerances::validator_probes;
     options.quadrature_faces = Search_tolerances::validator_faces;
     const Geodesic& base = geodesic;
-    const auto report =
-      CGAL::Geodesic_offset::internal::Offset_validation<Geodesic>(base, mesh, options)(levels, curves);
+    const auto report = CGAL::Geodesic_offset::internal::Offset_validation<Geodesic>(base, mesh, options)(levels, curves);
     ++counts.validated;
     unvalidated_ = 0;
     if (report.is_valid()) return;

@@ -40,8 +40,7 @@ struct Offset_selection
 
 /// Offset curves at one or several distances.
 template <class Levels>
-Offset_curves offsets(const Geodesic& geodesic, const Levels& levels,
-                      const Offset_selection& selection = Offset_selection())
+Offset_curves offsets(const Geodesic& geodesic, const Levels& levels, const Offset_selection& selection = Offset_selection())
 {
   Offset_curves result;
   geodesic.offset_curves(levels, std::back_inserter(result), selection.parameters());
@@ -57,20 +56,18 @@ inline double total_length(const Offset_curves& curves)
 
 inline std::size_t number_of_closed(const Offset_curves& curves)
 {
-  return static_cast<std::size_t>(std::count_if(
-    curves.begin(), curves.end(), [](const Offset_curve& c) { return c.is_closed(); }));
+  return static_cast<std::size_t>(std::count_if(curves.begin(), curves.end(), [](const Offset_curve& c) {
+    return c.is_closed();
+  }));
 }
 
 /// Key of a piece: its face, ends, circle or line, and source.
-typedef std::tuple<std::size_t, double, double, double, double, double, bool, std::size_t,
-                   std::size_t, int>
-  Piece_key;
+typedef std::tuple<std::size_t, double, double, double, double, double, bool, std::size_t, std::size_t, int> Piece_key;
 
 inline Piece_key key_of(const Offset_piece& p)
 {
-  return Piece_key(std::size_t(p.face()), p.start_2().x(), p.start_2().y(), p.end_2().x(),
-                   p.end_2().y(), p.is_arc() ? p.radius() : 0, p.is_arc(), p.source(),
-                   p.source_part(), int(p.side()));
+  return Piece_key(std::size_t(p.face()), p.start_2().x(), p.start_2().y(), p.end_2().x(), p.end_2().y(),
+                   p.is_arc() ? p.radius() : 0, p.is_arc(), p.source(), p.source_part(), int(p.side()));
 }
 
 /// Pieces of all curves, in a canonical order.
@@ -87,8 +84,7 @@ inline std::vector<Piece_key> sorted_pieces(const Offset_curves& curves)
 inline std::vector<std::tuple<double, bool, double>> sorted_curves(const Offset_curves& curves)
 {
   std::vector<std::tuple<double, bool, double>> result;
-  for (const Offset_curve& curve : curves)
-    result.emplace_back(curve.distance(), curve.is_closed(), curve.length());
+  for (const Offset_curve& curve : curves) result.emplace_back(curve.distance(), curve.is_closed(), curve.length());
   std::sort(result.begin(), result.end());
   return result;
 }
@@ -102,11 +98,9 @@ inline bool same_curves(const Offset_curves& a, const Offset_curves& b, double s
   bool same = true;
   for (std::size_t i = 0; i < p.size(); ++i)
   {
-    const double difference =
-      std::abs(std::get<2>(p[i]) - std::get<2>(q[i])) / (std::get<2>(q[i]) + scale);
+    const double difference = std::abs(std::get<2>(p[i]) - std::get<2>(q[i])) / (std::get<2>(q[i]) + scale);
     worst = (std::max)(worst, difference);
-    same = same && std::get<0>(p[i]) == std::get<0>(q[i]) &&
-           std::get<1>(p[i]) == std::get<1>(q[i]) && difference <= 1e-12;
+    same = same && std::get<0>(p[i]) == std::get<0>(q[i]) && std::get<1>(p[i]) == std::get<1>(q[i]) && difference <= 1e-12;
   }
   return same;
 }

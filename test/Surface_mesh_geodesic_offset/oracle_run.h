@@ -22,10 +22,10 @@ struct Oracle_options
 {
   unsigned seed = 1; // of the first case; consecutive
   std::size_t faces = 1000;
-  std::size_t each = 20; // maximum number of faces per mesh
+  std::size_t each = 20;    // maximum number of faces per mesh
   std::size_t windows = 80; // maximum number of windows per face; others are skipped
   std::size_t printed = 20; // maximum number of printed differences
-  double seconds = 1e9; // no case starts later
+  double seconds = 1e9;     // no case starts later
 };
 
 class Oracle_run
@@ -66,15 +66,16 @@ public:
 
   static void print_head()
   {
-    std::printf("%-15s %8s %7s %8s %6s %9s %9s %7s %7s %7s %7s %6s %9s %6s %6s %6s %9s\n", "kind", "faces", "empty", "chains", "loops",
-                "pieces", "windows", "points", "event", "band", "ill", "left", "topology", "apart", "forced", "thrown", "distance");
+    std::printf("%-15s %8s %7s %8s %6s %9s %9s %7s %7s %7s %7s %6s %9s %6s %6s %6s %9s\n", "kind", "faces", "empty", "chains",
+                "loops", "pieces", "windows", "points", "event", "band", "ill", "left", "topology", "apart", "forced", "thrown",
+                "distance");
   }
   void print(const char* name) const
   {
     const Oracle_counts& c = counts();
-    std::printf("%-15s %8zu %7zu %8zu %6zu %9zu %9zu %7zu %7zu %7zu %7zu %6zu %9zu %6zu %6zu %6zu %9.1e\n", name, c.faces, c.empty,
-                c.chains, c.loops, c.arcs, c.windows, c.with_points, c.near_event, c.within_band, c.ill_conditioned, c.left_out, c.topology, c.apart,
-                c.forced, c.thrown, c.worst_distance);
+    std::printf("%-15s %8zu %7zu %8zu %6zu %9zu %9zu %7zu %7zu %7zu %7zu %6zu %9zu %6zu %6zu %6zu %9.1e\n", name, c.faces,
+                c.empty, c.chains, c.loops, c.arcs, c.windows, c.with_points, c.near_event, c.within_band, c.ill_conditioned,
+                c.left_out, c.topology, c.apart, c.forced, c.thrown, c.worst_distance);
     std::fflush(stdout);
   }
 

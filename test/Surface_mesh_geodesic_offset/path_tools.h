@@ -26,37 +26,26 @@ typedef Surface_mesh::Face_index Face_index;
 typedef Locations<Surface_mesh> Mesh_locations;
 typedef std::vector<Face_location> Path_locations;
 
-inline double distance(const Point_3& p, const Point_3& q)
-{
-  return std::sqrt(CGAL::squared_distance(p, q));
-}
+inline double distance(const Point_3& p, const Point_3& q) { return std::sqrt(CGAL::squared_distance(p, q)); }
 
-inline Vector_3 unit(const Vector_3& v)
-{
-  return v / std::sqrt(v.squared_length());
-}
+inline Vector_3 unit(const Vector_3& v) { return v / std::sqrt(v.squared_length()); }
 
 /// Sum of the lengths of the segments.
 inline double length_of(const Mesh_locations& locations, const Path_locations& path)
 {
   double sum = 0;
-  for (std::size_t i = 0; i + 1 < path.size(); ++i)
-    sum += distance(locations.point(path[i]), locations.point(path[i + 1]));
+  for (std::size_t i = 0; i + 1 < path.size(); ++i) sum += distance(locations.point(path[i]), locations.point(path[i + 1]));
   return sum;
 }
 
 inline double mean_edge_length(const Surface_mesh& mesh)
 {
   double sum = 0;
-  for (auto e : edges(mesh))
-    sum += distance(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1)));
+  for (auto e : edges(mesh)) sum += distance(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1)));
   return sum / static_cast<double>(num_edges(mesh));
 }
 
-inline bool is_isolated(Vertex_index v, const Surface_mesh& mesh)
-{
-  return halfedge(v, mesh) == Surface_mesh::null_halfedge();
-}
+inline bool is_isolated(Vertex_index v, const Surface_mesh& mesh) { return halfedge(v, mesh) == Surface_mesh::null_halfedge(); }
 
 inline std::vector<Vertex_index> used_vertices(const Surface_mesh& mesh)
 {
@@ -68,13 +57,12 @@ inline std::vector<Vertex_index> used_vertices(const Surface_mesh& mesh)
 
 inline Face_index random_face(const Surface_mesh& mesh, Random& random)
 {
-  return *std::next(faces(mesh).begin(),
-                    static_cast<std::ptrdiff_t>(uniform_index(random, num_faces(mesh))));
+  return *std::next(faces(mesh).begin(), static_cast<std::ptrdiff_t>(uniform_index(random, num_faces(mesh))));
 }
 
 /// In a face (`kind` 0), on an edge (1) or at a vertex (2).
-inline Face_location random_location(const Mesh_locations& locations, const Surface_mesh& mesh,
-                                     Random& random, std::size_t kind)
+inline Face_location random_location(const Mesh_locations& locations, const Surface_mesh& mesh, Random& random,
+                                     std::size_t kind)
 {
   const Face_index f = random_face(mesh, random);
   Halfedge_index h = halfedge(f, mesh);
@@ -106,8 +94,7 @@ public:
   void operator()(Halfedge_index h, double t)
   {
     CHECK_DETAIL(t >= 0 && t <= 1, std::to_string(t));
-    path.push_back(is_border(h, mesh_) ? locations_.on_edge(opposite(h, mesh_), 1 - t)
-                                       : locations_.on_edge(h, t));
+    path.push_back(is_border(h, mesh_) ? locations_.on_edge(opposite(h, mesh_), 1 - t) : locations_.on_edge(h, t));
     ++edges;
   }
   void operator()(Vertex_index v)
@@ -141,8 +128,7 @@ class Path_checker
 {
 public:
   explicit Path_checker(const Surface_mesh& mesh)
-    : locations(mesh), scale(bounding_box_diagonal(mesh)), mean_edge(mean_edge_length(mesh)),
-      mesh_(mesh)
+    : locations(mesh), scale(bounding_box_diagonal(mesh)), mean_edge(mean_edge_length(mesh)), mesh_(mesh)
   {
     for (Vertex_index v : vertices(mesh))
       for (int i = 0; i < 3; ++i) scale = (std::max)(scale, std::abs(mesh.point(v)[i]));
@@ -209,8 +195,7 @@ public:
   {
     const Face_index f = locations.common_face(a, b);
     Geodesic::Barycentric_coordinates u, v;
-    return f != Surface_mesh::null_face() && locations.express(a, f, u) &&
-           locations.express(b, f, v) && u == v;
+    return f != Surface_mesh::null_face() && locations.express(a, f, u) && locations.express(b, f, v) && u == v;
   }
 
   /// Component of the unit vector orthogonal to the face.
@@ -233,8 +218,7 @@ private:
     Sequence_collector sequence(mesh_);
     geodesic.shortest_path_sequence_to_sources(query, sequence);
     CHECK_DETAIL(points.size() == path.size(), values(double(points.size()), double(path.size())));
-    CHECK_DETAIL(sequence.path.size() == path.size(),
-                 values(double(sequence.path.size()), double(path.size())));
+    CHECK_DETAIL(sequence.path.size() == path.size(), values(double(sequence.path.size()), double(path.size())));
     for (std::size_t i = 0; i < (std::min)(points.size(), path.size()); ++i)
       CHECK(distance(points[i], point(path[i])) <= 1e-14 * scale);
     for (std::size_t i = 0; i < (std::min)(sequence.path.size(), path.size()); ++i)
@@ -259,8 +243,7 @@ private:
       CHECK(gradient == CGAL::NULL_VECTOR);
       return;
     }
-    CHECK_DETAIL(std::abs(gradient.squared_length() - 1) <= 1e-12,
-                 values(gradient.squared_length(), 1));
+    CHECK_DETAIL(std::abs(gradient.squared_length() - 1) <= 1e-12, values(gradient.squared_length(), 1));
     const Vector_3 start = point(path[1]) - point(path[0]);
     const double length = std::sqrt(start.squared_length());
     if (length < 1e-5 * scale) return;

@@ -124,9 +124,15 @@ public:
   static const std::vector<std::pair<std::string, Function>>& all()
   {
     static const std::vector<std::pair<std::string, Function>> functions = {
-      {"as it is", [](Soup&, Random&) {}}, {"snapped", snap},       {"jitter", jitter},
-      {"axis x 1000", stretch},            {"float", round},        {"decimated", decimate},
-      {"ragged", ragged},                  {"other faces", divide}, {"moved by 1e7", move}};
+      {"as it is", [](Soup&, Random&) {}},
+      {"snapped", snap},
+      {"jitter", jitter},
+      {"axis x 1000", stretch},
+      {"float", round},
+      {"decimated", decimate},
+      {"ragged", ragged},
+      {"other faces", divide},
+      {"moved by 1e7", move}};
     return functions;
   }
 

@@ -25,10 +25,7 @@ struct Rectangle
   double x0, y0, x1, y1;
 
   double diagonal() const { return std::hypot(x1 - x0, y1 - y0); }
-  bool contains(const Point_2& p) const
-  {
-    return p.x() > x0 && p.x() < x1 && p.y() > y0 && p.y() < y1;
-  }
+  bool contains(const Point_2& p) const { return p.x() > x0 && p.x() < x1 && p.y() > y0 && p.y() < y1; }
 };
 
 /// Points of the rectangle at distance d from the legs. Each segment contributes two parallel segments, each end of a leg a
@@ -45,8 +42,7 @@ public:
   };
 
   Planar_offset(const std::vector<Leg>& legs, double d, const Rectangle& box)
-    : legs_(legs), d_(d), box_(box),
-      rounding_(8 * std::numeric_limits<double>::epsilon() * box.diagonal())
+    : legs_(legs), d_(d), box_(box), rounding_(8 * std::numeric_limits<double>::epsilon() * box.diagonal())
   {
     make_primitives();
     cut_at_border();
@@ -169,15 +165,14 @@ private:
 
   void cut_at_border()
   {
-    const Point_2 corners[] = {Point_2(box_.x0, box_.y0), Point_2(box_.x1, box_.y0),
-                               Point_2(box_.x1, box_.y1), Point_2(box_.x0, box_.y1)};
+    const Point_2 corners[] = {Point_2(box_.x0, box_.y0), Point_2(box_.x1, box_.y0), Point_2(box_.x1, box_.y1),
+                               Point_2(box_.x0, box_.y1)};
     for (std::size_t k = 0; k < 4; ++k)
     {
       const Primitive side{false, corners[k], corners[(k + 1) % 4], {}};
       const Vector_2 along = (side.b - side.a) / distance(side.a, side.b);
       for (Primitive& p : primitives_)
-        for (const Point_2& point :
-             p.is_circle ? line_meets_circle(side, p.a) : lines_meet(side, p))
+        for (const Point_2& point : p.is_circle ? line_meets_circle(side, p.a) : lines_meet(side, p))
           cut(p, add_node(point, true, along));
     }
   }
@@ -224,8 +219,8 @@ private:
         if (segment_distance(end, p.a, p.b) <= rounding_) result.push_back(end);
       return result;
     }
-    if ((height_a > rounding_ && height_b > rounding_) ||
-        (height_a < -rounding_ && height_b < -rounding_) || height_a == height_b)
+    if ((height_a > rounding_ && height_b > rounding_) || (height_a < -rounding_ && height_b < -rounding_) ||
+        height_a == height_b)
       return result;
     const double t = (std::min)(1., (std::max)(0., height_a / (height_a - height_b)));
     const Point_2 point = q.a + t * (q.b - q.a);
@@ -239,8 +234,7 @@ private:
   {
     std::vector<std::size_t> order(nodes_.size());
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-    std::sort(order.begin(), order.end(),
-              [this](std::size_t i, std::size_t j) { return nodes_[i].point < nodes_[j].point; });
+    std::sort(order.begin(), order.end(), [this](std::size_t i, std::size_t j) { return nodes_[i].point < nodes_[j].point; });
     for (std::size_t i = 0; i < order.size(); ++i)
       for (std::size_t j = i; j-- > 0;)
       {
@@ -262,8 +256,7 @@ private:
   {
     for (Primitive& p : primitives_)
     {
-      std::sort(p.cuts.begin(), p.cuts.end(),
-                [](const Cut& a, const Cut& b) { return a.position < b.position; });
+      std::sort(p.cuts.begin(), p.cuts.end(), [](const Cut& a, const Cut& b) { return a.position < b.position; });
       const std::size_t n = p.cuts.size();
       if (n == 0) // a circle without intersections
       {
@@ -278,9 +271,7 @@ private:
         double angle = last.position - first.position;
         if (p.is_circle && i + 1 == n) angle += 2 * CGAL_PI;
         if (a == b && (p.is_circle ? d_ * angle : distance(start, end)) <= 4 * rounding_) continue;
-        keep(p.is_circle ? Planar_piece::arc(p.a, d_, angle, start, end)
-                         : Planar_piece::segment(start, end),
-             a, b);
+        keep(p.is_circle ? Planar_piece::arc(p.a, d_, angle, start, end) : Planar_piece::segment(start, end), a, b);
       }
     }
   }
@@ -292,8 +283,7 @@ private:
     for (const Leg& leg : legs_)
       if (segment_distance(middle, leg.a, leg.b) < d_ - rounding_) return;
     for (std::size_t i = 0; i < pieces_.size(); ++i)
-      if (ends_[i] == std::make_pair(from, to) &&
-          distance(pieces_[i].at(0.5), middle) <= 4 * rounding_)
+      if (ends_[i] == std::make_pair(from, to) && distance(pieces_[i].at(0.5), middle) <= 4 * rounding_)
         return; // overlapping lines
     pieces_.push_back(piece);
     ends_.push_back({from, to});
@@ -304,23 +294,20 @@ private:
     std::map<std::size_t, std::size_t> starting, ending;
     for (std::size_t i = 0; i < pieces_.size(); ++i)
       if (ends_[i].first != none)
-        if (!starting.emplace(ends_[i].first, i).second ||
-            !ending.emplace(ends_[i].second, i).second)
+        if (!starting.emplace(ends_[i].first, i).second || !ending.emplace(ends_[i].second, i).second)
           throw std::logic_error("the planar offset touches itself");
     for (const auto& s : starting)
     {
       const auto e = ending.find(s.first);
       const bool on_border = nodes_[s.first].is_on_border;
-      if ((e == ending.end()) != on_border)
-        throw std::logic_error("the planar offset is not linked");
+      if ((e == ending.end()) != on_border) throw std::logic_error("the planar offset is not linked");
       add_speed(nodes_[s.first], gradient(s.second, nodes_[s.first].point),
                 on_border ? Vector_2(0, 0) : gradient(e->second, nodes_[s.first].point));
     }
     for (const auto& e : ending)
       if (starting.find(e.first) == starting.end())
       {
-        if (!nodes_[e.first].is_on_border)
-          throw std::logic_error("the planar offset is not linked");
+        if (!nodes_[e.first].is_on_border) throw std::logic_error("the planar offset is not linked");
         add_speed(nodes_[e.first], gradient(e.second, nodes_[e.first].point), Vector_2(0, 0));
       }
     std::vector<bool> used(pieces_.size(), false);
@@ -361,8 +348,7 @@ private:
   void add_speed(const Node& node, const Vector_2& g, const Vector_2& h)
   {
     const Vector_2 sum = (g + h) / 2;
-    const double slope =
-      node.is_on_border ? std::abs(g * node.border) : std::hypot(sum.x(), sum.y());
+    const double slope = node.is_on_border ? std::abs(g * node.border) : std::hypot(sum.x(), sum.y());
     speed_ = (std::max)(speed_, 1 / slope);
   }
 

@@ -16,20 +16,11 @@
 
 namespace test {
 
-inline double cross(const Vector_2& u, const Vector_2& v)
-{
-  return u.x() * v.y() - u.y() * v.x();
-}
+inline double cross(const Vector_2& u, const Vector_2& v) { return u.x() * v.y() - u.y() * v.x(); }
 
-inline Vector_2 quarter_turn(const Vector_2& v)
-{
-  return Vector_2(-v.y(), v.x());
-}
+inline Vector_2 quarter_turn(const Vector_2& v) { return Vector_2(-v.y(), v.x()); }
 
-inline Vector_2 turned(const Vector_2& v, double angle)
-{
-  return std::cos(angle) * v + std::sin(angle) * quarter_turn(v);
-}
+inline Vector_2 turned(const Vector_2& v, double angle) { return std::cos(angle) * v + std::sin(angle) * quarter_turn(v); }
 
 /// Segment, or counterclockwise arc around its center by an angle of up to 2 pi.
 struct Planar_piece
@@ -39,13 +30,9 @@ struct Planar_piece
   double radius, angle; // of an arc
   Point_2 start, end;
 
-  static Planar_piece segment(const Point_2& a, const Point_2& b)
-  {
-    return {false, Point_2(0, 0), 0, 0, a, b};
-  }
+  static Planar_piece segment(const Point_2& a, const Point_2& b) { return {false, Point_2(0, 0), 0, 0, a, b}; }
 
-  static Planar_piece arc(const Point_2& center, double radius, double angle, const Point_2& start,
-                          const Point_2& end)
+  static Planar_piece arc(const Point_2& center, double radius, double angle, const Point_2& start, const Point_2& end)
   {
     return {true, center, radius, angle, start, end};
   }
@@ -71,10 +58,8 @@ struct Planar_piece
   double lower_bound(const Point_2& p) const
   {
     if (is_arc) return std::abs(std::hypot(p.x() - center.x(), p.y() - center.y()) - radius);
-    const double x =
-      (std::max)((std::min)(start.x(), end.x()) - p.x(), p.x() - (std::max)(start.x(), end.x()));
-    const double y =
-      (std::max)((std::min)(start.y(), end.y()) - p.y(), p.y() - (std::max)(start.y(), end.y()));
+    const double x = (std::max)((std::min)(start.x(), end.x()) - p.x(), p.x() - (std::max)(start.x(), end.x()));
+    const double y = (std::max)((std::min)(start.y(), end.y()) - p.y(), p.y() - (std::max)(start.y(), end.y()));
     return (std::max)(x, y);
   }
 
@@ -96,14 +81,13 @@ inline double distance_to_pieces(const Point_2& p, const std::vector<Planar_piec
 }
 
 /// Largest distance of `samples` + 1 points on each piece of `from` from the nearest point of `to`.
-inline double directed_hausdorff_distance(const std::vector<Planar_piece>& from,
-                                          const std::vector<Planar_piece>& to, int samples)
+inline double directed_hausdorff_distance(const std::vector<Planar_piece>& from, const std::vector<Planar_piece>& to,
+                                          int samples)
 {
   double result = 0;
   for (const Planar_piece& piece : from)
     for (int i = 0; i <= samples; ++i)
-      result =
-        (std::max)(result, distance_to_pieces(piece.at(static_cast<double>(i) / samples), to));
+      result = (std::max)(result, distance_to_pieces(piece.at(static_cast<double>(i) / samples), to));
   return result;
 }
 

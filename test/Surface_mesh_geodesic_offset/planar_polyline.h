@@ -79,8 +79,7 @@ private:
   void add_between(const Point_2& a, const Point_2& b, std::vector<Face_location>& out) const
   {
     std::vector<std::pair<double, Face_location>> met;
-    const auto add = [&](const Point_2& p, const Face_location& l)
-    {
+    const auto add = [&](const Point_2& p, const Face_location& l) {
       const double t = ((p - a) * (b - a)) / (b - a).squared_length();
       if (t > 1e-12 && t < 1 - 1e-12) met.push_back({t, l});
     };
@@ -100,8 +99,7 @@ private:
       const double dp = area(a, b, p), dq = area(a, b, q), t = dp / (dp - dq);
       if (t > 1e-12 && t < 1 - 1e-12) add(p + t * (q - p), on_mesh.on_edge(h, t));
     }
-    std::sort(met.begin(), met.end(),
-              [](const auto& x, const auto& y) { return x.first < y.first; });
+    std::sort(met.begin(), met.end(), [](const auto& x, const auto& y) { return x.first < y.first; });
     for (const auto& m : met) out.push_back(m.second);
   }
 
@@ -114,15 +112,9 @@ private:
 /// Signed distance from legs in the plane: each leg starts at the end of the previous one.
 struct Signed_distance
 {
-  enum Side
-  {
-    LEFT = 1,
-    RIGHT = 2,
-    CAP = 3
-  };
+  enum Side { LEFT = 1, RIGHT = 2, CAP = 3 };
 
-  explicit Signed_distance(const std::vector<Leg>& legs, bool closed) : legs(legs), closed(closed)
-  {}
+  explicit Signed_distance(const std::vector<Leg>& legs, bool closed) : legs(legs), closed(closed) {}
 
   /// Distance and side. The side is 0 if the nearest source points of two sides are equally far within the margin, or p is
   /// on a line between two sides.
@@ -130,8 +122,7 @@ struct Signed_distance
   {
     std::vector<std::pair<double, int>> candidates;
     double smallest = 1e300;
-    const auto add = [&](double d, int side)
-    {
+    const auto add = [&](double d, int side) {
       candidates.push_back({d, side});
       smallest = (std::min)(smallest, d);
     };
@@ -142,8 +133,7 @@ struct Signed_distance
       const double l = distance(a, b);
       const double t = ((p - a) * (b - a)) / l;
       const double height = cross(b - a, p - a) / l;
-      if (t > 0 && t < l)
-        add(std::abs(height), std::abs(height) <= margin ? 0 : height > 0 ? LEFT : RIGHT);
+      if (t > 0 && t < l) add(std::abs(height), std::abs(height) <= margin ? 0 : height > 0 ? LEFT : RIGHT);
       if (closed || i > 0) add(distance(p, a), side_at_joint(p, legs[(i + n - 1) % n], legs[i]));
       else add(distance(p, a), std::abs(t) <= margin ? 0 : CAP);
       if (!closed && i + 1 == n) add(distance(p, b), std::abs(t - l) <= margin ? 0 : CAP);
@@ -158,10 +148,7 @@ struct Signed_distance
   bool closed;
 
 private:
-  static double cross(const Vector_2& a, const Vector_2& b)
-  {
-    return a.x() * b.y() - a.y() * b.x();
-  }
+  static double cross(const Vector_2& a, const Vector_2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
   // Shortest paths end at a joint only on its reflex side.
   static int side_at_joint(const Point_2& p, const Leg& in, const Leg& out)

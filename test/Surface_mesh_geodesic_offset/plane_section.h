@@ -19,8 +19,8 @@ struct Section
   typedef test::Locations<TriangleMesh> Locations;
   typedef typename Locations::Face_location Face_location;
 
-  bool closed;                          // closed sections do not repeat their first location
-  std::vector<Face_location> locations; // one on each crossed edge
+  bool closed;                                            // closed sections do not repeat their first location
+  std::vector<Face_location> locations;                   // one on each crossed edge
   std::vector<typename Locations::face_descriptor> faces; // face of each segment
 
   std::size_t number_of_segments() const { return faces.size(); }
@@ -39,29 +39,24 @@ struct Section
 /// All curves of the section by the plane through `p` with the given normal. Vertices on the plane count as above it, so
 /// every curve crosses edges at inner points (possibly at distance zero from an end).
 template <class TriangleMesh>
-std::vector<Section<TriangleMesh>> plane_section(const TriangleMesh& mesh, const Point_3& p,
-                                                 const Vector_3& normal)
+std::vector<Section<TriangleMesh>> plane_section(const TriangleMesh& mesh, const Point_3& p, const Vector_3& normal)
 {
   typedef boost::graph_traits<TriangleMesh> Graph_traits;
   typedef typename Graph_traits::halfedge_descriptor halfedge_descriptor;
   const test::Locations<TriangleMesh> on_mesh(mesh);
   const auto points = get(CGAL::vertex_point, mesh);
-  const auto height = [&](typename Graph_traits::vertex_descriptor v)
-  { return (get(points, v) - p) * normal; };
-  const auto is_upward = [&](halfedge_descriptor h)
-  { return height(source(h, mesh)) < 0 && height(target(h, mesh)) >= 0; };
+  const auto height = [&](typename Graph_traits::vertex_descriptor v) { return (get(points, v) - p) * normal; };
+  const auto is_upward = [&](halfedge_descriptor h) { return height(source(h, mesh)) < 0 && height(target(h, mesh)) >= 0; };
   // With the upper side on its left, a curve enters each face over an edge that goes down in that face, and leaves it over
   // the one that goes up.
-  const auto location = [&](halfedge_descriptor h)
-  {
+  const auto location = [&](halfedge_descriptor h) {
     const double a = std::abs(height(source(h, mesh))), b = std::abs(height(target(h, mesh)));
     const halfedge_descriptor inner = is_border(h, mesh) ? opposite(h, mesh) : h;
     return on_mesh.on_edge(inner, (inner == h ? a : b) / (a + b));
   };
   std::vector<Section<TriangleMesh>> result;
   std::set<halfedge_descriptor> done; // downward halfedges through which faces were entered
-  const auto follow = [&](halfedge_descriptor entry)
-  {
+  const auto follow = [&](halfedge_descriptor entry) {
     Section<TriangleMesh> section;
     section.closed = false;
     section.locations.push_back(location(entry));
@@ -82,8 +77,7 @@ std::vector<Section<TriangleMesh>> plane_section(const TriangleMesh& mesh, const
     result.push_back(section);
   };
   for (halfedge_descriptor h : halfedges(mesh)) // open curves start at the boundary
-    if (!is_border(h, mesh) && is_border(opposite(h, mesh), mesh) && is_upward(opposite(h, mesh)))
-      follow(h);
+    if (!is_border(h, mesh) && is_border(opposite(h, mesh), mesh) && is_upward(opposite(h, mesh))) follow(h);
   for (halfedge_descriptor h : halfedges(mesh))
     if (!is_border(h, mesh) && is_upward(opposite(h, mesh)) && done.count(h) == 0) follow(h);
   return result;

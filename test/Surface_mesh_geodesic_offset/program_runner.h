@@ -49,8 +49,7 @@ class Scratch_directory
 public:
   Scratch_directory()
   {
-    std::string name =
-      (std::filesystem::temp_directory_path() / "geodesic_offset_test.XXXXXX").string();
+    std::string name = (std::filesystem::temp_directory_path() / "geodesic_offset_test.XXXXXX").string();
     if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary directory");
     path_ = name;
   }
@@ -67,8 +66,7 @@ public:
   std::set<std::string> files() const
   {
     std::set<std::string> result;
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(path_))
-      result.insert(entry.path().string());
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(path_)) result.insert(entry.path().string());
     return result;
   }
 
@@ -85,8 +83,8 @@ struct Program_result
 namespace internal {
 
 /// Starts the program in a child process with a given error stream, and its output in a file.
-inline pid_t start_program(const std::string& program, const std::vector<std::string>& arguments,
-                           const std::string& output, int errors)
+inline pid_t start_program(const std::string& program, const std::vector<std::string>& arguments, const std::string& output,
+                           int errors)
 {
   std::vector<char*> argv;
   std::vector<std::string> words = {program};
@@ -117,8 +115,7 @@ inline int exit_code_of(pid_t child)
 } // namespace internal
 
 /// Runs the program and waits for it. Its output and errors are in files outside of the scratch directory.
-inline Program_result run_program(const std::string& program,
-                                  const std::vector<std::string>& arguments)
+inline Program_result run_program(const std::string& program, const std::vector<std::string>& arguments)
 {
   const Scratch_directory streams;
   const std::string output = (streams / "output").string(), errors = (streams / "errors").string();
@@ -130,14 +127,12 @@ inline Program_result run_program(const std::string& program,
 }
 
 /// Version with a terminal as error stream.
-inline Program_result run_program_on_terminal(const std::string& program,
-                                              const std::vector<std::string>& arguments)
+inline Program_result run_program_on_terminal(const std::string& program, const std::vector<std::string>& arguments)
 {
   const Scratch_directory streams;
   const std::string output = (streams / "output").string();
   const int terminal = posix_openpt(O_RDWR | O_NOCTTY);
-  if (terminal < 0 || grantpt(terminal) != 0 || unlockpt(terminal) != 0)
-    throw std::runtime_error("no terminal");
+  if (terminal < 0 || grantpt(terminal) != 0 || unlockpt(terminal) != 0) throw std::runtime_error("no terminal");
   const int program_side = open(ptsname(terminal), O_RDWR | O_NOCTTY);
   const pid_t child = internal::start_program(program, arguments, output, program_side);
   close(program_side);

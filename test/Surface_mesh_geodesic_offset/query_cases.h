@@ -23,10 +23,9 @@ struct Query_case
 {
   Query_case(const std::string& name, const Soup& soup)
     : name(name), mesh(Generated_mesh<test::Surface_mesh>(soup).mesh), checker(mesh)
-  {}
-  Query_case(const std::string& name, const test::Surface_mesh& m)
-    : name(name), mesh(m), checker(mesh)
-  {}
+  {
+  }
+  Query_case(const std::string& name, const test::Surface_mesh& m) : name(name), mesh(m), checker(mesh) {}
   Query_case(const Query_case&) = delete;
 
   /// Point of any kind, plane section, or part of a section.
@@ -40,18 +39,15 @@ struct Query_case
     const auto& section = sections[uniform_index(random, sections.size())];
     if (kind == 4) return {section.locations, section.closed};
     const std::size_t first = uniform_index(random, section.locations.size());
-    const std::size_t last =
-      (std::min)(section.locations.size(), first + 1 + uniform_index(random, 20));
-    return {Path_locations(section.locations.begin() + std::ptrdiff_t(first),
-                           section.locations.begin() + std::ptrdiff_t(last)),
+    const std::size_t last = (std::min)(section.locations.size(), first + 1 + uniform_index(random, 20));
+    return {Path_locations(section.locations.begin() + std::ptrdiff_t(first), section.locations.begin() + std::ptrdiff_t(last)),
             false};
   }
 
   Path_locations random_points(Random& random, std::size_t count) const
   {
     Path_locations result;
-    for (std::size_t i = 0; i < count; ++i)
-      result.push_back(random_location(checker.locations, mesh, random, i % 3));
+    for (std::size_t i = 0; i < count; ++i) result.push_back(random_location(checker.locations, mesh, random, i % 3));
     return result;
   }
 
@@ -75,8 +71,7 @@ inline Query_cases generated_query_cases()
     {"genus 5", marching_genus_5(10)},
     {"torus", torus(24, 16)},
     {"L", l_shape(80, 5, 4)}};
-  for (const auto& mesh : generated)
-    cases.push_back(std::make_unique<Query_case>(mesh.first, mesh.second));
+  for (const auto& mesh : generated) cases.push_back(std::make_unique<Query_case>(mesh.first, mesh.second));
   return cases;
 }
 
@@ -87,8 +82,7 @@ inline Query_cases data_query_cases()
   for (const char* name : {"anchor.off", "mesh_with_border.off"})
   {
     test::Surface_mesh mesh;
-    const std::string reason =
-      read_data_mesh(std::filesystem::path(data_directory()) / name, 10000, mesh);
+    const std::string reason = read_data_mesh(std::filesystem::path(data_directory()) / name, 10000, mesh);
     if (reason.empty()) cases.push_back(std::make_unique<Query_case>(name, mesh));
     else std::cout << name << ": skipped, " << reason << std::endl;
   }
@@ -119,8 +113,7 @@ inline double largest_vertex_distance(const Geodesic& geodesic, const test::Surf
 {
   double result = 0;
   for (Vertex_index v : vertices(mesh))
-    if (std::isfinite(geodesic.distance_to_sources(v)))
-      result = (std::max)(result, geodesic.distance_to_sources(v));
+    if (std::isfinite(geodesic.distance_to_sources(v))) result = (std::max)(result, geodesic.distance_to_sources(v));
   return result;
 }
 

@@ -175,7 +175,9 @@ private:
     for (std::size_t k = 0; k < 3; ++k)
     {
       const double roll = uniform(random_);
-      const std::size_t n = roll < 0.15 && (k < 2 || number > 0 || has_sources_) ? 0 : roll < 0.9 ? 1 + uniform_index(random_, 4) : 4 + uniform_index(random_, 8);
+      const std::size_t n = roll < 0.15 && (k < 2 || number > 0 || has_sources_) ? 0
+                          : roll < 0.9                                           ? 1 + uniform_index(random_, 4)
+                                                                                 : 4 + uniform_index(random_, 8);
       for (std::size_t i = 0; i < n; ++i, ++number)
       {
         Image image = random_image(k);
@@ -189,8 +191,7 @@ private:
         }
         else if (kind < 0.35 && !images_[k].empty() && image.is_parallel == images_[k].back().is_parallel)
           image.sigma = images_[k].back().sigma;
-        else
-          image.sigma = (uniform(random_) < 0.3 ? 0 : uniform(random_, 0, 0.6) * size_) - image.at(t);
+        else image.sigma = (uniform(random_) < 0.3 ? 0 : uniform(random_, 0, 0.6) * size_) - image.at(t);
         image.sigma = grid(image.sigma);
         images_[k].push_back(image);
         lowest = (std::min)({lowest, image.is_parallel ? (std::min)(image.at(0), image.at(length_[k])) : image.sigma});
@@ -223,8 +224,9 @@ private:
       if (nearest != last || uniform(random_) < 0.2) // or repeat the image, as behind a flat vertex
       {
         const Image& m = images[nearest];
-        Window w{m.x, m.y, m.sigma, b0, b1, m.at(b0), m.at(b1), source_ref(), Window::make_bits(m.is_parallel,
-                 CGAL::Geodesic_offset::internal::no_index)};
+        Window w{m.x,      m.y,          m.sigma,
+                 b0,       b1,           m.at(b0),
+                 m.at(b1), source_ref(), Window::make_bits(m.is_parallel, CGAL::Geodesic_offset::internal::no_index)};
         if (!windows.empty()) windows.back().b1 = b0;
         windows.push_back(w);
       }

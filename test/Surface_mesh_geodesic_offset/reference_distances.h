@@ -103,8 +103,7 @@ public:
     {
       std::size_t nearest = number_of_vertices_;
       for (std::size_t v = 0; v < number_of_vertices_; ++v)
-        if (!done_[v] && distances_[v] < infinity() &&
-            (nearest == number_of_vertices_ || distances_[v] < distances_[nearest]))
+        if (!done_[v] && distances_[v] < infinity() && (nearest == number_of_vertices_ || distances_[v] < distances_[nearest]))
           nearest = v;
       if (nearest == number_of_vertices_) return;
       done_[nearest] = true;
@@ -359,8 +358,7 @@ private:
       if (queries_[q].triangle == f)
       {
         const Planar p = at(corners, queries_[q].weights);
-        if (is_to_the_left(right, p) && is_to_the_left(p, left))
-          lower(distances_[number_of_vertices_ + q], start_ + length(p));
+        if (is_to_the_left(right, p) && is_to_the_left(p, left)) lower(distances_[number_of_vertices_ + q], start_ + length(p));
       }
     visited_[f] = true;
     const bool is_inside = is_left_of_right && is_right_of_left;

@@ -19,7 +19,8 @@ typedef CGAL::Surface_mesh_geodesic_offset_traits<Kernel, Mesh> Package_traits;
 struct Derived_traits : Package_traits // with another functor
 {
   struct Compare_distance_2 : Package_traits::Compare_distance_2
-  {};
+  {
+  };
   Compare_distance_2 compare_distance_2_object() const { return Compare_distance_2(); }
 };
 

@@ -21,10 +21,7 @@
 namespace test {
 
 /// Log-uniform number, between two powers of 10.
-inline double log_uniform(Random& random, double low, double high)
-{
-  return std::pow(10, uniform(random, low, high));
-}
+inline double log_uniform(Random& random, double low, double high) { return std::pow(10, uniform(random, low, high)); }
 
 /// Displaces all points by up to `noise` in each coordinate of which `along` is true.
 inline void add_noise(Soup& soup, Random& random, double noise, std::array<bool, 3> along)
@@ -32,8 +29,7 @@ inline void add_noise(Soup& soup, Random& random, double noise, std::array<bool,
   for (Point_3& p : soup.points)
   {
     double x[3];
-    for (int i = 0; i < 3; ++i)
-      x[i] = p[i] + (along[std::size_t(i)] ? noise * uniform(random, -1, 1) : 0);
+    for (int i = 0; i < 3; ++i) x[i] = p[i] + (along[std::size_t(i)] ? noise * uniform(random, -1, 1) : 0);
     p = Point_3(x[0], x[1], x[2]);
   }
 }
@@ -57,8 +53,7 @@ inline Soup tube(std::size_t n, std::size_t m, double radius, double height)
     for (std::size_t i = 0; i < n; ++i)
     {
       const double a = 2 * CGAL_PI * double(i) / double(n);
-      soup.points.push_back(
-        Point_3(radius * std::cos(a), radius * std::sin(a), height * double(j)));
+      soup.points.push_back(Point_3(radius * std::cos(a), radius * std::sin(a), height * double(j)));
     }
   for (std::size_t j = 0; j < m; ++j)
     for (std::size_t i = 0; i < n; ++i)
@@ -91,11 +86,20 @@ public:
   static const std::vector<std::pair<std::string, Maker>>& kinds()
   {
     static const std::vector<std::pair<std::string, Maker>> all = {
-      {"noisy grid", noisy_grid},   {"float grid", float_grid}, {"near-flat grid", near_flat_grid},
-      {"rectangle", rectangle},     {"torus", a_torus},         {"cylinder", cylinder},
-      {"cube", cube},               {"box", box},               {"sphere", sphere},
-      {"strip", strip},             {"needles", needles},       {"cone", cone},
-      {"few faces", few_faces},     {"tiny faces", tiny_faces}};
+      {"noisy grid", noisy_grid},
+      {"float grid", float_grid},
+      {"near-flat grid", near_flat_grid},
+      {"rectangle", rectangle},
+      {"torus", a_torus},
+      {"cylinder", cylinder},
+      {"cube", cube},
+      {"box", box},
+      {"sphere", sphere},
+      {"strip", strip},
+      {"needles", needles},
+      {"cone", cone},
+      {"few faces", few_faces},
+      {"tiny faces", tiny_faces}};
     return all;
   }
 
@@ -109,8 +113,7 @@ private:
 
   static Diagonals diagonals(Random& random)
   {
-    static const Diagonals all[] = {Diagonals::forward, Diagonals::backward, Diagonals::alternating,
-                                    Diagonals::random};
+    static const Diagonals all[] = {Diagonals::forward, Diagonals::backward, Diagonals::alternating, Diagonals::random};
     return all[uniform_index(random, 4)];
   }
 
@@ -124,8 +127,7 @@ private:
   // Noise of 1e-9 to 1e-3 with probability p, in all directions.
   static Soup noisy(Random& random, Soup soup, double p)
   {
-    if (chance(random, p))
-      add_noise(soup, random, log_uniform(random, -9, -3), {{true, true, true}});
+    if (chance(random, p)) add_noise(soup, random, log_uniform(random, -9, -3), {{true, true, true}});
     return soup;
   }
   static Soup turned(Random& random, Soup soup, double p)
@@ -159,29 +161,26 @@ private:
     const double slope = log_uniform(random, -8, -1);
     const bool is_round = chance(random, 0.5);
     for (Point_3& p : soup.points)
-      p = Point_3(p.x(), p.y(),
-                  slope * (is_round ? (p.x() * p.x() + p.y() * p.y()) / 10 : std::abs(p.x() - 3)));
+      p = Point_3(p.x(), p.y(), slope * (is_round ? (p.x() * p.x() + p.y() * p.y()) / 10 : std::abs(p.x() - 3)));
     return turned(random, std::move(soup), 0.3);
   }
   static Soup rectangle(Random& random)
   {
-    const Soup soup = random_rectangle(6, chance(random, 0.5) ? 4 : 6, between(random, 0, 80),
-                                       between(random, 0, 4), seed(random));
+    const Soup soup =
+      random_rectangle(6, chance(random, 0.5) ? 4 : 6, between(random, 0, 80), between(random, 0, 4), seed(random));
     return as_float(random, turned(random, noisy(random, soup, 0.3), 0.5), 0.3);
   }
   static Soup a_torus(Random& random)
   {
-    const Soup soup =
-      torus(between(random, 3, 14), between(random, 3, 12), 1, uniform(random, 0.2, 0.6));
+    const Soup soup = torus(between(random, 3, 14), between(random, 3, 12), 1, uniform(random, 0.2, 0.6));
     return as_float(random, turned(random, noisy(random, soup, 0.3), 0.3), 0.3);
   }
   static Soup cylinder(Random& random)
   {
     const std::size_t n = between(random, 3, 14);
     const Soup soup = chance(random, 0.6)
-                        ? tube(n, between(random, 1, 10), 1, chance(random, 0.5) ? 0.5 : 2)
-                        : Prism(n, 1, 3).triangulated(between(random, 0, 10), between(random, 0, 3),
-                                                      seed(random));
+                      ? tube(n, between(random, 1, 10), 1, chance(random, 0.5) ? 0.5 : 2)
+                      : Prism(n, 1, 3).triangulated(between(random, 0, 10), between(random, 0, 3), seed(random));
     return as_float(random, turned(random, noisy(random, soup, 0.3), 0.3), 0.3);
   }
   static Soup cube(Random& random)
@@ -203,9 +202,8 @@ private:
   static Soup strip(Random& random)
   {
     const double width = log_uniform(random, -8, 0);
-    Soup soup = chance(random, 0.5)
-                  ? random_rectangle(12, width, between(random, 0, 20), between(random, 0, 5), seed(random))
-                  : planar_grid(between(random, 2, 24), between(random, 1, 2), diagonals(random));
+    Soup soup = chance(random, 0.5) ? random_rectangle(12, width, between(random, 0, 20), between(random, 0, 5), seed(random))
+                                    : planar_grid(between(random, 2, 24), between(random, 1, 2), diagonals(random));
     if (soup.points.back().y() >= 1)
       for (Point_3& p : soup.points) p = Point_3(p.x(), width * p.y(), 0);
     if (chance(random, 0.3)) add_noise(soup, random, 0.1 * width, {{false, false, true}});
@@ -217,11 +215,11 @@ private:
     {
     case 0: return turned(random, needle_fan(between(random, 3, 200)), 0.3);
     case 1:
-      return crumpled_needles(log_uniform(random, -4, -1), log_uniform(random, -5, -1),
-                              between(random, 5, 40), seed(random));
+      return crumpled_needles(log_uniform(random, -4, -1), log_uniform(random, -5, -1), between(random, 5, 40), seed(random));
     default:
-      return turned(random, random_rectangle(1, log_uniform(random, -5, -1), between(random, 5, 60),
-                                             between(random, 0, 5), seed(random)), 0.5);
+      return turned(
+        random, random_rectangle(1, log_uniform(random, -5, -1), between(random, 5, 60), between(random, 0, 5), seed(random)),
+        0.5);
     }
   }
   static Soup cone(Random& random)
@@ -229,10 +227,9 @@ private:
     const std::size_t k = 2 * between(random, 3, 6);
     static const double turns[] = {0.25, 0.5, 0.75, 0.9, 1 - 1e-6, 1, 1 + 1e-6, 1.05, 1.25, 1.5, 2};
     const double angle = 2 * CGAL_PI * turns[uniform_index(random, 11)];
-    return noisy(random,
-                 Cone(k, angle, 1, chance(random, 0.2))
-                   .triangulated(between(random, 0, 10), between(random, 0, 3), seed(random)),
-                 0.2);
+    return noisy(
+      random, Cone(k, angle, 1, chance(random, 0.2)).triangulated(between(random, 0, 10), between(random, 0, 3), seed(random)),
+      0.2);
   }
   static Soup few_faces(Random& random)
   {
@@ -256,9 +253,8 @@ private:
   }
   static Soup tiny_faces(Random& random)
   {
-    return chance(random, 0.7)
-             ? turned(random, marching_sphere(4 + 2 * uniform_index(random, 2)), 0.5)
-             : turned(random, random_mixture(random), 0.5);
+    return chance(random, 0.7) ? turned(random, marching_sphere(4 + 2 * uniform_index(random, 2)), 0.5)
+                               : turned(random, random_mixture(random), 0.5);
   }
   // Points in two clusters, one smaller by a factor of a million.
   static Soup random_mixture(Random& random)
@@ -273,8 +269,7 @@ private:
       plane.push_back(Point_2(s * uniform(random, -1, 1), s * uniform(random, -1, 1)));
       soup.points.push_back(Point_3(plane.back().x(), plane.back().y(), 0.3 * s * uniform(random)));
     }
-    for (const std::array<std::size_t, 3>& triangle : delaunay_triangles(plane))
-      soup.add_triangle(triangle);
+    for (const std::array<std::size_t, 3>& triangle : delaunay_triangles(plane)) soup.add_triangle(triangle);
     return soup;
   }
 };
@@ -290,10 +285,7 @@ struct Search_sources
   std::vector<Geodesic::Polyline> polylines;
   std::vector<Surface_mesh::Edge_index> edges;
 
-  bool empty() const
-  {
-    return vertices.empty() && points.empty() && polylines.empty() && edges.empty();
-  }
+  bool empty() const { return vertices.empty() && points.empty() && polylines.empty() && edges.empty(); }
 
   /// `Solver`: Geodesic, or another class with sources
   template <class Solver>
@@ -311,8 +303,7 @@ struct Search_sources
     out.precision(17);
     for (const auto v : vertices) out << "vertex " << std::size_t(v) << '\n';
     const auto write_location = [&](const Face_location& l) {
-      out << "  " << std::size_t(l.first) << ' ' << l.second[0] << ' ' << l.second[1] << ' '
-          << l.second[2] << '\n';
+      out << "  " << std::size_t(l.first) << ' ' << l.second[0] << ' ' << l.second[1] << ' ' << l.second[2] << '\n';
     };
     for (const Face_location& p : points)
     {
@@ -336,7 +327,8 @@ public:
 
   Source_drawing(const Surface_mesh& mesh, const Open_geodesic& geodesic, Random& random)
     : mesh_(mesh), geodesic_(geodesic), random_(random), locations_(mesh)
-  {}
+  {
+  }
 
   Search_sources operator()()
   {
@@ -374,8 +366,7 @@ private:
       break;
     case 2:
       kind = "vertices";
-      for (std::size_t i = 0, n = 2 + uniform_index(random_, 4); i < n; ++i)
-        sources.vertices.push_back(vertex());
+      for (std::size_t i = 0, n = 2 + uniform_index(random_, 4); i < n; ++i) sources.vertices.push_back(vertex());
       break;
     case 3:
       kind = "face point";
@@ -383,8 +374,7 @@ private:
       break;
     case 4:
       kind = "edge points";
-      for (std::size_t i = 0, n = 1 + uniform_index(random_, 3); i < n; ++i)
-        sources.points.push_back(on_edge());
+      for (std::size_t i = 0, n = 1 + uniform_index(random_, 3); i < n; ++i) sources.points.push_back(on_edge());
       break;
     case 5:
       kind = "point beside an edge";
@@ -420,8 +410,7 @@ private:
       else
       {
         kind = "edges";
-        for (std::size_t i = 0, n = 1 + uniform_index(random_, 4); i < n; ++i)
-          sources.edges.push_back(mesh_.edge(halfedge()));
+        for (std::size_t i = 0, n = 1 + uniform_index(random_, 4); i < n; ++i) sources.edges.push_back(mesh_.edge(halfedge()));
       }
     }
     sources.kind += (sources.kind.empty() ? "" : ", ") + std::string(kind);
@@ -437,8 +426,8 @@ private:
     Geodesic::Polyline ring;
     ring.is_closed = true;
     for (const auto h : CGAL::halfedges_around_source(v, mesh_))
-      ring.locations.push_back(
-        locations_.on_edge(h, kind == 2 && uniform(random_) < 0.5 ? uniform(random_, 0.1, 0.9) : fraction));
+      ring.locations.push_back(locations_.on_edge(h,
+                                                  kind == 2 && uniform(random_) < 0.5 ? uniform(random_, 0.1, 0.9) : fraction));
     if (uniform(random_) < 0.5) std::reverse(ring.locations.begin(), ring.locations.end());
     sources.polylines.push_back(ring);
     sources.kind += sources.kind.empty() ? "ring" : ", ring";
@@ -449,14 +438,10 @@ private:
     return mesh_.source(halfedge()); // not an isolated vertex
   }
   // Not a border halfedge.
-  Surface_mesh::Halfedge_index halfedge()
-  {
-    return mesh_.next(mesh_.halfedge(face()));
-  }
+  Surface_mesh::Halfedge_index halfedge() { return mesh_.next(mesh_.halfedge(face())); }
   Surface_mesh::Face_index face()
   {
-    return Surface_mesh::Face_index(
-      static_cast<Surface_mesh::size_type>(uniform_index(random_, mesh_.number_of_faces())));
+    return Surface_mesh::Face_index(static_cast<Surface_mesh::size_type>(uniform_index(random_, mesh_.number_of_faces())));
   }
   Face_location in_face() { return Face_location(face(), random_barycentric(random_)); }
   Face_location on_edge()
@@ -486,8 +471,7 @@ private:
     {
       result.locations.push_back(locations_.at_vertex(mesh_.target(h)));
       h = mesh_.next(h);
-      for (std::size_t turn = uniform_index(random_, 4); turn > 0; --turn)
-        h = mesh_.next(mesh_.opposite(h));
+      for (std::size_t turn = uniform_index(random_, 4); turn > 0; --turn) h = mesh_.next(mesh_.opposite(h));
     }
     return result;
   }
@@ -495,8 +479,7 @@ private:
   Geodesic::Polyline polyline(bool closed)
   {
     std::vector<Face_location> corners;
-    for (std::size_t i = 0, n = (closed ? 3 : 2) + uniform_index(random_, 3); i < n; ++i)
-      corners.push_back(anywhere());
+    for (std::size_t i = 0, n = (closed ? 3 : 2) + uniform_index(random_, 3); i < n; ++i) corners.push_back(anywhere());
     return geodesic_.join_polyline(corners, closed);
   }
 
@@ -516,10 +499,8 @@ private:
   void add_section(const Geodesic::Plane_3& plane, Search_sources& sources)
   {
     const auto section = geodesic_.plane_section(plane);
-    sources.polylines.insert(sources.polylines.end(), section.polylines.begin(),
-                             section.polylines.end());
-    sources.vertices.insert(sources.vertices.end(), section.touched_vertices.begin(),
-                            section.touched_vertices.end());
+    sources.polylines.insert(sources.polylines.end(), section.polylines.begin(), section.polylines.end());
+    sources.vertices.insert(sources.vertices.end(), section.touched_vertices.begin(), section.touched_vertices.end());
     sources.edges.insert(sources.edges.end(), section.touched_edges.begin(), section.touched_edges.end());
   }
 
@@ -558,9 +539,18 @@ private:
   double one()
   {
     const std::vector<double>* const kinds[] = {
-      &features_.vertices, &features_.vertices,    &features_.vertices, &features_.tangents,
-      &features_.tangents, &features_.joints,      &features_.joints,   &features_.edge_maxima,
-      &features_.saddles,  &features_.edge_maxima, &features_.maxima,   &features_.maxima,
+      &features_.vertices,
+      &features_.vertices,
+      &features_.vertices,
+      &features_.tangents,
+      &features_.tangents,
+      &features_.joints,
+      &features_.joints,
+      &features_.edge_maxima,
+      &features_.saddles,
+      &features_.edge_maxima,
+      &features_.maxima,
+      &features_.maxima,
       nullptr};
     const std::size_t n = sizeof(kinds) / sizeof(kinds[0]);
     for (int i = 0; i < 8; ++i)
@@ -572,8 +562,7 @@ private:
       if (!(d > 1e-9 * diagonal_)) continue; // the rounding of 0 is no feature
       return uniform(random_) < 0.2 ? below(d) : near(d);
     }
-    return uniform(random_) < 0.2 ? log_uniform(random_, -8, -2) * diagonal_
-                                  : uniform(random_, 0.001, 1.01) * largest_;
+    return uniform(random_) < 0.2 ? log_uniform(random_, -8, -2) * diagonal_ : uniform(random_, 0.001, 1.01) * largest_;
   }
 
   // At it, cut at it, or within 1e-15 to 3e-11 of it.

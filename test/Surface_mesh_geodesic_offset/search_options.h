@@ -16,17 +16,18 @@ namespace test {
 
 struct Seed_range_options
 {
-  unsigned seed = 1;          // of the first case; the next ones follow
-  std::size_t meshes = 1000;  // cases
-  std::size_t per_mesh = 0;   // planes, queries or paths of each case
-  std::size_t printed = 50;   // faults that are printed, at most
-  bool describes = false;     // whether they are printed with all that led to them
+  unsigned seed = 1;         // of the first case; the next ones follow
+  std::size_t meshes = 1000; // cases
+  std::size_t per_mesh = 0;  // planes, queries or paths of each case
+  std::size_t printed = 50;  // faults that are printed, at most
+  bool describes = false;    // whether they are printed with all that led to them
 };
 
 /// The exit code of a search program: that of run(options), or 2 for options that are wrong and for other exceptions. `per_mesh`
 /// is the name of the option for the number of checks per mesh, with its default value.
 template <class Run>
-int run_search(const char* program, const std::string& per_mesh, std::size_t default_per_mesh, int argc, char** argv, const Run& run)
+int run_search(const char* program, const std::string& per_mesh, std::size_t default_per_mesh, int argc, char** argv,
+               const Run& run)
 {
   try
   {

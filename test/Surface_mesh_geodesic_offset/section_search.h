@@ -120,10 +120,13 @@ private:
   {
     const std::size_t m = 2 + uniform_index(random_, 3);
     const Soup grid = planar_grid(n, m, Diagonals::forward, 1, 0, seed);
-    const auto is_border = [&](const Point_3& p) { return p.x() == 0 || p.y() == 0 || p.x() == double(n) || p.y() == double(m); };
+    const auto is_border = [&](const Point_3& p) {
+      return p.x() == 0 || p.y() == 0 || p.x() == double(n) || p.y() == double(m);
+    };
     Soup soup;
     std::vector<std::size_t> below(grid.points.size());
-    for (const Point_3& p : grid.points) soup.points.push_back(Point_3(p.x(), p.y(), is_border(p) ? integer(1) : 3 + integer(1)));
+    for (const Point_3& p : grid.points)
+      soup.points.push_back(Point_3(p.x(), p.y(), is_border(p) ? integer(1) : 3 + integer(1)));
     for (std::size_t v = 0; v < grid.points.size(); ++v)
     {
       below[v] = v;
@@ -217,10 +220,7 @@ private:
   static Place between(Vertex_index v, Vertex_index w) { return {(std::min)(v, w), (std::max)(v, w)}; }
 
   // The sign of the face beside an edge in the plane; 0 if it is in the plane, or missing.
-  int sign_beside(Halfedge_index h) const
-  {
-    return mesh_->is_border(h) ? 0 : sign(target(next(h, *mesh_), *mesh_));
-  }
+  int sign_beside(Halfedge_index h) const { return mesh_->is_border(h) ? 0 : sign(target(next(h, *mesh_), *mesh_)); }
 
   Expected expected() const
   {
@@ -300,7 +300,9 @@ private:
       ++degree[s.first].second;
       ++degree[s.second].first;
     }
-    const auto is_passed = [&](const Face_location& l) { return degree[place(l)] == std::make_pair(std::size_t(1), std::size_t(1)); };
+    const auto is_passed = [&](const Face_location& l) {
+      return degree[place(l)] == std::make_pair(std::size_t(1), std::size_t(1));
+    };
     for (const auto& polyline : section.polylines)
     {
       const auto& l = polyline.locations;
@@ -335,15 +337,15 @@ private:
     check_ends(section, segments);
     // the other way round from the other side
     Segments reversed;
-    for (const Directed_segment& s : segments_of(geodesic.plane_section(plane.opposite()))) reversed.insert({s.second, s.first});
+    for (const Directed_segment& s : segments_of(geodesic.plane_section(plane.opposite())))
+      reversed.insert({s.second, s.first});
     if (reversed != segments) fail("the opposite plane has another section");
     check_signed_distances(plane, section.polylines, counts);
   }
 
   // Where the shortest path from a vertex stays in a face, the sign of the distance is that of the vertex. Not where vertices are
   // beside the plane by rounding: there two lines of the section may coincide up to rounding, with the same side between them.
-  void check_signed_distances(const Plane_3& plane, const std::vector<Geodesic::Polyline>& polylines,
-                              Section_counts& counts)
+  void check_signed_distances(const Plane_3& plane, const std::vector<Geodesic::Polyline>& polylines, Section_counts& counts)
   {
     if (least_height_ < 1e-9) return;
     Geodesic alone(*mesh_); // the ids are the numbers of the polylines

@@ -31,11 +31,10 @@ public:
   typedef Locations<test::Surface_mesh>::Barycentric_coordinates Barycentric_coordinates;
 
   /// `geodesic` was built with kept windows; source i is polyline i.
-  Side_oracle(const test::Surface_mesh& mesh, const Geodesic& geodesic,
-              const std::vector<Oriented_polyline>& polylines)
-    : mesh_(mesh), locations_(mesh), geodesic_(geodesic), polylines_(polylines),
-      diagonal_(bounding_box_diagonal(mesh))
-  {}
+  Side_oracle(const test::Surface_mesh& mesh, const Geodesic& geodesic, const std::vector<Oriented_polyline>& polylines)
+    : mesh_(mesh), locations_(mesh), geodesic_(geodesic), polylines_(polylines), diagonal_(bounding_box_diagonal(mesh))
+  {
+  }
 
   /// Side from which a shortest path from the middle of the piece arrives. Also checks that the path ends on the part of
   /// the source given by the piece, and makes no acute angle with the polyline there.
@@ -54,9 +53,8 @@ public:
     if (!CHECK(face != test::Surface_mesh::null_face())) return Side::NONE;
     const Vector_3 away = locations_.point(path[last - 1]) - locations_.point(arrival);
     const Oriented_polyline& polyline = polylines_[piece.source()];
-    return piece.is_nearest_to_segment()
-             ? side_of_segment(polyline, piece.source_part(), arrival, face, away)
-             : side_of_point(polyline, piece.source_part(), arrival, face, away);
+    return piece.is_nearest_to_segment() ? side_of_segment(polyline, piece.source_part(), arrival, face, away)
+                                         : side_of_point(polyline, piece.source_part(), arrival, face, away);
   }
 
   /// Checks the sides of at most about `number` pieces of the curves; returns the number of checked pieces.
@@ -71,8 +69,7 @@ public:
         if (i++ % step != 0 || piece.length() <= 1e-8 * diagonal_) continue;
         const Side side = side_of(piece);
         CHECK_DETAIL(side == piece.side(), "found " + std::to_string(int(side)) + ", said " +
-                                             std::to_string(int(piece.side())) + " at " +
-                                             std::to_string(curve.distance()));
+                                             std::to_string(int(piece.side())) + " at " + std::to_string(curve.distance()));
         ++count;
       }
     return count;
@@ -81,16 +78,12 @@ public:
 private:
   static double length(const Vector_3& v) { return std::sqrt(v.squared_length()); }
 
-  double gap(const Face_location& a, const Face_location& b) const
-  {
-    return length(locations_.point(a) - locations_.point(b));
-  }
+  double gap(const Face_location& a, const Face_location& b) const { return length(locations_.point(a) - locations_.point(b)); }
 
   Vector_3 normal_of(Face_index f) const
   {
     const auto c = locations_.corners(f);
-    return CGAL::cross_product(mesh_.point(c[1]) - mesh_.point(c[0]),
-                               mesh_.point(c[2]) - mesh_.point(c[0]));
+    return CGAL::cross_product(mesh_.point(c[1]) - mesh_.point(c[0]), mesh_.point(c[2]) - mesh_.point(c[0]));
   }
 
   const Face_location& vertex(const Oriented_polyline& polyline, std::size_t i) const
@@ -113,35 +106,29 @@ private:
     double total = 0;
     const double out = angle_of(p, vertex(polyline, i + 1), total);
     const double in = angle_of(p, vertex(polyline, i + n - 1), total);
-    return std::abs(turn(out, in, total) - CGAL_PI) <= 1e-9 &&
-           std::abs(total - 2 * CGAL_PI) <= 1e-9;
+    return std::abs(turn(out, in, total) - CGAL_PI) <= 1e-9 && std::abs(total - 2 * CGAL_PI) <= 1e-9;
   }
 
-  Side side_of_segment(const Oriented_polyline& polyline, std::size_t part,
-                       const Face_location& arrival, Face_index face, const Vector_3& away) const
+  Side side_of_segment(const Oriented_polyline& polyline, std::size_t part, const Face_location& arrival, Face_index face,
+                       const Vector_3& away) const
   {
     // collinear consecutive segments may have one name
     const std::size_t n = polyline.locations.size();
     std::size_t i = part;
     const double tolerance = 1e-9 * diagonal_;
-    while (excess(polyline, i, arrival) > tolerance && i < part + n && is_straight(polyline, i + 1))
-      ++i;
+    while (excess(polyline, i, arrival) > tolerance && i < part + n && is_straight(polyline, i + 1)) ++i;
     if (excess(polyline, i, arrival) > tolerance)
-      for (i = part + n;
-           excess(polyline, i, arrival) > tolerance && i > part && is_straight(polyline, i);)
-        --i;
-    CHECK_DETAIL(excess(polyline, i, arrival) <= tolerance,
-                 values(excess(polyline, part, arrival), 0));
-    const Vector_3 along =
-      locations_.point(vertex(polyline, i + 1)) - locations_.point(vertex(polyline, i));
+      for (i = part + n; excess(polyline, i, arrival) > tolerance && i > part && is_straight(polyline, i);) --i;
+    CHECK_DETAIL(excess(polyline, i, arrival) <= tolerance, values(excess(polyline, part, arrival), 0));
+    const Vector_3 along = locations_.point(vertex(polyline, i + 1)) - locations_.point(vertex(polyline, i));
     const Vector_3 left = CGAL::cross_product(normal_of(face), along);
     const double sine = (away * left) / length(away) / length(left);
     CHECK_DETAIL(std::abs(sine) >= 1 - 1e-6, values(sine, 1));
     return sine > 0 ? Side::LEFT : Side::RIGHT;
   }
 
-  Side side_of_point(const Oriented_polyline& polyline, std::size_t i, const Face_location& arrival,
-                     Face_index face, const Vector_3& away) const
+  Side side_of_point(const Oriented_polyline& polyline, std::size_t i, const Face_location& arrival, Face_index face,
+                     const Vector_3& away) const
   {
     const std::size_t n = polyline.locations.size();
     const Face_location& p = vertex(polyline, i);
@@ -155,8 +142,7 @@ private:
     const double after_out = turn(out, path_angle, total), before_in = turn(path_angle, in, total);
     const double before_out = turn(path_angle, out, total), after_in = turn(in, path_angle, total);
     const bool left = is_first || is_last || after_out < turn(out, in, total);
-    const double smaller =
-      left ? (std::min)(after_out, before_in) : (std::min)(after_in, before_out);
+    const double smaller = left ? (std::min)(after_out, before_in) : (std::min)(after_in, before_out);
     if (!is_border_point(p)) // otherwise one of these is across the border
       CHECK_DETAIL(smaller >= 0.5 * CGAL_PI - 1e-6, values(smaller, 0.5 * CGAL_PI));
     if (is_first || is_last) return Side::CAP;
@@ -187,22 +173,19 @@ private:
   // Direction from p to q, which have a common face.
   double angle_of(const Face_location& p, const Face_location& q, double& total) const
   {
-    return angle_of(p, locations_.common_face(p, q), locations_.point(q) - locations_.point(p),
-                    total);
+    return angle_of(p, locations_.common_face(p, q), locations_.point(q) - locations_.point(p), total);
   }
 
   // Angle of a direction at p, in the plane of a face at p, counterclockwise from a first direction; `total` is the sum of
   // all angles around p.
-  double angle_of(const Face_location& p, Face_index face, const Vector_3& direction,
-                  double& total) const
+  double angle_of(const Face_location& p, Face_index face, const Vector_3& direction, double& total) const
   {
     const auto support = locations_.support(p);
     if (support.size() == 3)
     {
       total = 2 * CGAL_PI;
       const Halfedge_index h = halfedge(face, mesh_);
-      return in_plane(face, mesh_.point(target(h, mesh_)) - mesh_.point(source(h, mesh_)),
-                      direction);
+      return in_plane(face, mesh_.point(target(h, mesh_)) - mesh_.point(source(h, mesh_)), direction);
     }
     if (support.size() == 2)
     {
@@ -222,8 +205,7 @@ private:
     do {
       const Halfedge_index next = mesh_.opposite(mesh_.prev(h));
       const Point_3 v = mesh_.point(source(h, mesh_));
-      const Vector_3 right = mesh_.point(target(h, mesh_)) - v,
-                     left = mesh_.point(target(next, mesh_)) - v;
+      const Vector_3 right = mesh_.point(target(h, mesh_)) - v, left = mesh_.point(target(next, mesh_)) - v;
       if (mesh_.face(h) == face) result = total + angle_between(right, direction);
       total += angle_between(right, left);
       h = next;

@@ -31,10 +31,7 @@ typedef Geodesic::Face_location Face_location;
 typedef test::Surface_mesh::Vertex_index Vertex_index;
 
 // Surface_mesh_shortest_path returns -1 for unreachable vertices.
-double as_distance(double answer)
-{
-  return answer < 0 ? infinity : answer;
-}
+double as_distance(double answer) { return answer < 0 ? infinity : answer; }
 
 bool is_isolated(Vertex_index v, const test::Surface_mesh& mesh)
 {
@@ -43,8 +40,7 @@ bool is_isolated(Vertex_index v, const test::Surface_mesh& mesh)
 
 // Distances of all vertices, or nothing if the other solver fails on this mesh.
 template <class AddSource>
-std::optional<std::vector<double>> reference_distances(const test::Surface_mesh& mesh,
-                                                       const AddSource& add_source,
+std::optional<std::vector<double>> reference_distances(const test::Surface_mesh& mesh, const AddSource& add_source,
                                                        std::string& failure)
 {
   try
@@ -54,9 +50,8 @@ std::optional<std::vector<double>> reference_distances(const test::Surface_mesh&
     shortest_path.build_sequence_tree();
     std::vector<double> result;
     for (Vertex_index v : vertices(mesh))
-      result.push_back(is_isolated(v, mesh)
-                         ? infinity
-                         : as_distance(shortest_path.shortest_distance_to_source_points(v).first));
+      result.push_back(is_isolated(v, mesh) ? infinity
+                                            : as_distance(shortest_path.shortest_distance_to_source_points(v).first));
     return result;
   }
   catch (const std::exception& e)
@@ -67,8 +62,7 @@ std::optional<std::vector<double>> reference_distances(const test::Surface_mesh&
 }
 
 // Whether the path traced from v is a path on the mesh that ends at distance 0 and is no longer than `length`.
-bool is_proved_by_path(const test::Surface_mesh& mesh, const Geodesic& geodesic, Vertex_index v,
-                       double length)
+bool is_proved_by_path(const test::Surface_mesh& mesh, const Geodesic& geodesic, Vertex_index v, double length)
 {
   const Locations<test::Surface_mesh> locations(mesh);
   std::vector<Face_location> path;
@@ -85,10 +79,8 @@ bool is_proved_by_path(const test::Surface_mesh& mesh, const Geodesic& geodesic,
     }
   for (std::size_t i = 0; i + 1 < path.size(); ++i)
   {
-    if (locations.common_face(path[i], path[i + 1]) == test::Surface_mesh::null_face())
-      return false;
-    path_length +=
-      std::sqrt(CGAL::squared_distance(locations.point(path[i]), locations.point(path[i + 1])));
+    if (locations.common_face(path[i], path[i + 1]) == test::Surface_mesh::null_face()) return false;
+    path_length += std::sqrt(CGAL::squared_distance(locations.point(path[i]), locations.point(path[i + 1])));
   }
   return path_length <= length * (1 + 1e-12);
 }
@@ -103,8 +95,7 @@ void compare(const std::string& name, const test::Surface_mesh& mesh, const AddS
   if (!expected)
   {
     std::replace(failure.begin(), failure.end(), '\n', ' ');
-    std::cout << name << ": not compared, Surface_mesh_shortest_path fails: " << failure
-              << std::endl;
+    std::cout << name << ": not compared, Surface_mesh_shortest_path fails: " << failure << std::endl;
     return;
   }
   try
@@ -124,18 +115,14 @@ void compare(const std::string& name, const test::Surface_mesh& mesh, const AddS
       CHECK_CLOSE(worst_without, actual, with_windows.distance_to_sources(v));
       if (actual < reference * (1 - 1e-10))
       {
-        if (CHECK_DETAIL(is_proved_by_path(mesh, with_windows, v, actual),
-                         values(actual, reference)))
-          ++proved;
+        if (CHECK_DETAIL(is_proved_by_path(mesh, with_windows, v, actual), values(actual, reference))) ++proved;
         continue;
       }
       CHECK_CLOSE(worst, actual, reference);
     }
-    std::cout << name << ": " << worst.count() << " vertices, " << num_faces(mesh) << " faces, "
-              << infinite << " unreachable, worst relative error " << worst.error();
-    if (proved > 0)
-      std::cout << "; Surface_mesh_shortest_path is too long at " << proved
-                << " vertices, proved by paths";
+    std::cout << name << ": " << worst.count() << " vertices, " << num_faces(mesh) << " faces, " << infinite
+              << " unreachable, worst relative error " << worst.error();
+    if (proved > 0) std::cout << "; Surface_mesh_shortest_path is too long at " << proved << " vertices, proved by paths";
     std::cout << std::endl;
   }
   catch (const std::exception& e)
@@ -150,12 +137,10 @@ void compare_vertex_sources(const std::string& name, const test::Surface_mesh& m
   std::vector<Vertex_index> used;
   for (Vertex_index v : vertices(mesh))
     if (!is_isolated(v, mesh)) used.push_back(v);
-  const std::vector<Vertex_index> one = {used[used.size() / 3]},
-                                  two = {used[0], used[2 * used.size() / 3]};
+  const std::vector<Vertex_index> one = {used[used.size() / 3]}, two = {used[0], used[2 * used.size() / 3]};
   for (const std::vector<Vertex_index>& sources : {one, two})
   {
-    const auto add = [&](auto& solver)
-    {
+    const auto add = [&](auto& solver) {
       for (Vertex_index v : sources) solver.add_source_point(v);
     };
     compare(name + ", " + std::to_string(sources.size()) + " vertex source(s)", mesh, add, add);
@@ -171,8 +156,7 @@ void compare_face_source(const std::string& name, const test::Surface_mesh& mesh
   compare(
     name + ", a point in a face, seed " + std::to_string(seed), mesh,
     [&](Geodesic& geodesic) { geodesic.add_source_point(location); },
-    [&](Shortest_path& shortest_path)
-    { shortest_path.add_source_point(location.first, location.second); });
+    [&](Shortest_path& shortest_path) { shortest_path.add_source_point(location.first, location.second); });
 }
 
 void generated_mesh(const std::string& name, const Soup& soup)

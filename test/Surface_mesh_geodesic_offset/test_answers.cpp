@@ -24,9 +24,9 @@ void check(const Answer_search& search)
   {
     const Answer_counts& n = c.second;
     queries += n.queries;
-    CHECK_DETAIL(n.total_wrong() == 0, c.first + ": " + std::to_string(n.wrong) + " points with a fault, " +
-                                         std::to_string(n.exceptions) + " exceptions, " + std::to_string(n.wrong_polylines) +
-                                         " wrong polylines");
+    CHECK_DETAIL(n.total_wrong() == 0,
+                 c.first + ": " + std::to_string(n.wrong) + " points with a fault, " + std::to_string(n.exceptions) +
+                   " exceptions, " + std::to_string(n.wrong_polylines) + " wrong polylines");
   }
   CHECK(queries > 0);
 }
@@ -62,17 +62,28 @@ void joined_polyline_on_grid()
       mesh.add_face(v[a], v[a + 8], v[a + 1]);
     }
   const auto at = [](std::uint32_t f, double a, double b, double c) { return Face_location(Face_index(f), {a, b, c}); };
-  const Path_locations polyline = {at(59, 0.72347564279420951, 0.27652435720579049, 0), at(45, 0.12431645794370877, 0, 0.87568354205629118),
-                                   at(44, 0.84988975952498269, 0.15011024047501734, 0), at(43, 0.29614872234942313, 0, 0.70385127765057687),
-                                   at(42, 0.64240490226667712, 0.35759509773332288, 0), at(41, 0.46798098675513766, 0, 0.53201901324486234),
-                                   at(40, 0.43492004500837167, 0.56507995499162833, 0), at(39, 0.63981325116085208, 0, 0.36018674883914792),
-                                   at(38, 0.2274351877500661, 0.7725648122499339, 0),   at(37, 0.81164551556656661, 0, 0.18835448443343339),
-                                   at(36, 0.019950330491760426, 0.98004966950823957, 0), at(36, 0, 0.98347777997227992, 0.01652222002772008),
-                                   at(37, 0, 0.97943218147115585, 0.020567818528844203), at(38, 0, 0.78678222397782371, 0.21321777602217623),
-                                   at(39, 0, 0.73457413610336664, 0.26542586389663342),  at(40, 0, 0.59008666798336762, 0.40991333201663238),
-                                   at(41, 0, 0.4897160907355772, 0.5102839092644228),    at(42, 0, 0.3933911119889113, 0.6066088880110887),
-                                   at(43, 0, 0.24485804536778777, 0.75514195463221223),  at(44, 0, 0.19669555599445498, 0.80330444400554502),
-                                   at(45, 0, 0, 1)};
+  const Path_locations polyline = {
+    at(59, 0.72347564279420951, 0.27652435720579049, 0),
+    at(45, 0.12431645794370877, 0, 0.87568354205629118),
+    at(44, 0.84988975952498269, 0.15011024047501734, 0),
+    at(43, 0.29614872234942313, 0, 0.70385127765057687),
+    at(42, 0.64240490226667712, 0.35759509773332288, 0),
+    at(41, 0.46798098675513766, 0, 0.53201901324486234),
+    at(40, 0.43492004500837167, 0.56507995499162833, 0),
+    at(39, 0.63981325116085208, 0, 0.36018674883914792),
+    at(38, 0.2274351877500661, 0.7725648122499339, 0),
+    at(37, 0.81164551556656661, 0, 0.18835448443343339),
+    at(36, 0.019950330491760426, 0.98004966950823957, 0),
+    at(36, 0, 0.98347777997227992, 0.01652222002772008),
+    at(37, 0, 0.97943218147115585, 0.020567818528844203),
+    at(38, 0, 0.78678222397782371, 0.21321777602217623),
+    at(39, 0, 0.73457413610336664, 0.26542586389663342),
+    at(40, 0, 0.59008666798336762, 0.40991333201663238),
+    at(41, 0, 0.4897160907355772, 0.5102839092644228),
+    at(42, 0, 0.3933911119889113, 0.6066088880110887),
+    at(43, 0, 0.24485804536778777, 0.75514195463221223),
+    at(44, 0, 0.19669555599445498, 0.80330444400554502),
+    at(45, 0, 0, 1)};
   const Face_location query = at(23, 0, 0.5, 0.5);
   Answer_checker checker(mesh, true);
   Geodesic geodesic(mesh);
@@ -93,7 +104,8 @@ void known_cases()
 {
   joined_polyline_on_grid();
   // gradients of needles; ends at corners with short segments, ends at the last crossing
-  run(Answer_search::SPREAD, {1032379, 7022994, 7040422, 7044623, 7044689, 7045815, 7046760, 20021964, 20063132, 20063376, 50035092, 50036766});
+  run(Answer_search::SPREAD,
+      {1032379, 7022994, 7040422, 7044623, 7044689, 7045815, 7046760, 20021964, 20063132, 20063376, 50035092, 50036766});
   // short segments in line with others, repeated points, ties, sources without sides that touch others, parts in faces that have a
   // vertex in common with the face of the point
   run(Answer_search::SPREAD, {865, 11269, 11733, 12002, 13989, 14227, 15630, 15869, 19456, 24666, 29372});
@@ -131,7 +143,8 @@ void known_cases()
 void polylines_of_one_point()
 {
   test::Surface_mesh mesh;
-  const Vertex_index a = mesh.add_vertex(Point_3(0, 0, 0)), b = mesh.add_vertex(Point_3(1, 0, 0)), c = mesh.add_vertex(Point_3(0, 1, 0));
+  const Vertex_index a = mesh.add_vertex(Point_3(0, 0, 0)), b = mesh.add_vertex(Point_3(1, 0, 0)),
+                     c = mesh.add_vertex(Point_3(0, 1, 0));
   const Face_index f = mesh.add_face(a, b, c);
   const Locations<test::Surface_mesh> locations(mesh);
   const double unit = std::ldexp(2 + std::sqrt(2.), -53), part = 1. / 64; // of an edge: there, coordinates have the digits
@@ -170,8 +183,11 @@ void polylines_of_one_point()
 // Points in space, near the vertices of a mesh: no point of the polyline is there twice.
 void located_polylines()
 {
-  for (const auto& [name, soup] : std::vector<std::pair<std::string, Soup>>{
-         {"grid", planar_grid(6, 5)}, {"sphere", icosphere(2)}, {"box", cube_grid(3)}, {"needles", random_rectangle(1, 1e-3, 30, 5, 1)}})
+  for (const auto& [name, soup] :
+       std::vector<std::pair<std::string, Soup>>{{"grid", planar_grid(6, 5)},
+                                                 {"sphere", icosphere(2)},
+                                                 {"box", cube_grid(3)},
+                                                 {"needles", random_rectangle(1, 1e-3, 30, 5, 1)}})
   {
     Report::instance().set_context(name);
     const Generated_mesh<test::Surface_mesh> data(soup);

@@ -44,8 +44,7 @@ void check_distances(const Query_case& c, const Geodesic& exact, const Geodesic&
                      const Function& largest)
 {
   const auto& s = g.statistics();
-  const auto check = [&](double d, double expected, double bound)
-  {
+  const auto check = [&](double d, double expected, double bound) {
     if (!CHECK_DETAIL(std::isfinite(d) == std::isfinite(expected), values(d, expected))) return;
     if (!std::isfinite(d)) return;
     const double slack = rounding(expected, c.checker.scale);
@@ -164,9 +163,7 @@ void data_meshes()
 // Against certified bounds.
 void certified()
 {
-  typedef CGAL::Surface_mesh_geodesic_enclosure<
-    CGAL::Surface_mesh_geodesic_offset_traits<Kernel, test::Surface_mesh>>
-    Enclosure;
+  typedef CGAL::Surface_mesh_geodesic_enclosure<CGAL::Surface_mesh_geodesic_offset_traits<Kernel, test::Surface_mesh>> Enclosure;
   for (const Soup& soup : {wavy(30), with_noise(wavy(25), 2e-2, 5, 1e-3), torus(40, 24)})
   {
     const Query_case c("", soup);
@@ -196,8 +193,7 @@ void certified()
 void noise()
 {
   const auto run = [](const std::string& name, const Soup& soup, std::size_t source, double most, double least_of_exact,
-                      double tolerance = 1e-9)
-  {
+                      double tolerance = 1e-9) {
     Report::instance().set_context(name);
     const Query_case c(name, soup);
     Geodesic exact(c.mesh), g(c.mesh);
@@ -210,8 +206,8 @@ void noise()
     check_distances(c, exact, g, c.random_points(random, 300), [tolerance](double) { return tolerance; });
     const double n = double(soup.points.size()), a = double(g.statistics().windows_propagated) / n,
                  e = double(exact.statistics().windows_propagated) / n;
-    std::cout << name << ": " << a << " windows a vertex, exactly " << e << "; error bound "
-              << g.statistics().error_bound << std::endl;
+    std::cout << name << ": " << a << " windows a vertex, exactly " << e << "; error bound " << g.statistics().error_bound
+              << std::endl;
     CHECK_DETAIL(a <= most, std::to_string(a));
     CHECK_DETAIL(e >= least_of_exact, std::to_string(e));
   };
@@ -270,8 +266,7 @@ Soup bent(Soup soup, double height, double noise, unsigned seed)
 // their coordinates have the rounding errors of the longest edges.
 void degenerate_meshes()
 {
-  const auto run = [](const std::string& name, const Soup& soup, unsigned seed)
-  {
+  const auto run = [](const std::string& name, const Soup& soup, unsigned seed) {
     const Query_case c(name, soup);
     Random random(seed);
     for (std::size_t kind = 0; kind < 3; ++kind) // vertex, edge, face
@@ -309,8 +304,7 @@ void degenerate_meshes()
 // Larger meshes on which rays were lost, or windows with one image no longer merged.
 void lost_rays_and_split_windows()
 {
-  const auto run = [](const std::string& name, const Soup& soup, double most, double most_from_curve)
-  {
+  const auto run = [](const std::string& name, const Soup& soup, double most, double most_from_curve) {
     const Query_case c(name, soup);
     std::vector<Any_source> curves;
     for (const auto& s : random_plane_section(c.mesh, 1)) curves.push_back({s.locations, s.closed});
@@ -386,7 +380,7 @@ void queries()
   CHECK_THROWS(g.shortest_path_to_sources(v, std::back_inserter(path)), std::logic_error);
   CHECK_THROWS(g.nearest_source(v), std::logic_error);
   CHECK_THROWS(g.farthest_point(), std::logic_error);
-  g.build(parameters::relative_tolerance(0.));       // exact
+  g.build(parameters::relative_tolerance(0.)); // exact
   g.shortest_path_to_sources(v, std::back_inserter(path));
   g.build_with_offset_curves(0.1, std::back_inserter(curves), parameters::relative_tolerance(0.).merging_tolerance(0.));
   CHECK(!path.empty() && !curves.empty());
@@ -414,8 +408,7 @@ void updates_and_limits()
 {
   const Query_case c("", wavy(40));
   Geodesic g(c.mesh), scratch(c.mesh), exact(c.mesh);
-  const auto add = [&](Vertex_index v)
-  {
+  const auto add = [&](Vertex_index v) {
     for (Geodesic* each : {&g, &scratch, &exact}) each->add_source_point(v);
   };
   add(Vertex_index(7));
@@ -450,9 +443,12 @@ void fewer_windows()
   for (const auto& item : totals)
   {
     const double part = double(item.second.windows) / double(item.second.exact);
-    std::cout << "tolerance " << item.first << ": " << 100 * part << " % of the exact windows, "
-              << item.second.merged << " merged\n";
-    CHECK_DETAIL(part < (item.first < 1e-8 ? 1 : item.first < 1e-5 ? 0.9 : item.first < 1e-3 ? 0.6 : 0.4),
+    std::cout << "tolerance " << item.first << ": " << 100 * part << " % of the exact windows, " << item.second.merged
+              << " merged\n";
+    CHECK_DETAIL(part < (item.first < 1e-8   ? 1
+                         : item.first < 1e-5 ? 0.9
+                         : item.first < 1e-3 ? 0.6
+                                             : 0.4),
                  std::to_string(part));
   }
   double last = infinity;
@@ -475,16 +471,17 @@ void fewer_windows()
 GEODESIC_OFFSET_TEST(test_bounded_error)
 {
   std::cout.precision(3);
-  const std::pair<const char*, std::function<void()>> tests[] = {{"random sources", random_sources},
-                                                                 {"shapes", smooth_and_rough_shapes},
-                                                                 {data_case, data_meshes},
-                                                                 {"certified", certified},
-                                                                 {"noise", noise},
-                                                                 {"degenerate meshes", degenerate_meshes},
-                                                                 {"lost rays, split windows", lost_rays_and_split_windows},
-                                                                 {"queries", queries},
-                                                                 {"bad tolerances", bad_tolerances},
-                                                                 {"updates and limits", updates_and_limits},
-                                                                 {"fewer windows", fewer_windows}};
+  const std::pair<const char*, std::function<void()>> tests[] = {
+    {"random sources", random_sources},
+    {"shapes", smooth_and_rough_shapes},
+    {data_case, data_meshes},
+    {"certified", certified},
+    {"noise", noise},
+    {"degenerate meshes", degenerate_meshes},
+    {"lost rays, split windows", lost_rays_and_split_windows},
+    {"queries", queries},
+    {"bad tolerances", bad_tolerances},
+    {"updates and limits", updates_and_limits},
+    {"fewer windows", fewer_windows}};
   return run_tests("test_bounded_error", tests);
 }

@@ -27,8 +27,7 @@ using namespace test;
 
 typedef CGAL::Surface_mesh_geodesic_offset_traits<CGAL::Simple_cartesian<CGAL::Gmpfr>, test::Surface_mesh> Long_traits;
 typedef CGAL::Surface_mesh_geodesic_offset<Long_traits> Long_distance;
-typedef CGAL::Surface_mesh_geodesic_enclosure<CGAL::Surface_mesh_geodesic_offset_traits<Kernel, test::Surface_mesh>>
-  Enclosure;
+typedef CGAL::Surface_mesh_geodesic_enclosure<CGAL::Surface_mesh_geodesic_offset_traits<Kernel, test::Surface_mesh>> Enclosure;
 
 Soup random_mesh(unsigned seed)
 {
@@ -244,8 +243,7 @@ void near_saddle()
           const double x = near * uniform(random, 0.1, 1), y = near * uniform(random, 0.1, 1);
           enclosure.add_source_point(place(x, i % 4 == 0 ? 0 : y));
         }
-        else
-          enclosure.add_source_polyline(std::vector<Face_location>{place(near, 0), place(near * 0.9, near * 0.2)});
+        else enclosure.add_source_polyline(std::vector<Face_location>{place(near, 0), place(near * 0.9, near * 0.2)});
         enclosure.build();
         const double to_apex = enclosure.distance_bounds(apex).second;
         CHECK(to_apex > 0 && to_apex <= 2 * near);
@@ -286,8 +284,9 @@ void sweeps()
       const auto& result = sweep(swept.data(), swept.data() + swept.size(), 1.);
       swept.assign(result.begin(), result.end());
       for (Certified_window& w : swept) w.set_propagated();
-      CHECK(std::is_sorted(swept.begin(), swept.end(),
-                           [](const Certified_window& a, const Certified_window& b) { return a.b0 < b.b0; }));
+      CHECK(std::is_sorted(swept.begin(), swept.end(), [](const Certified_window& a, const Certified_window& b) {
+        return a.b0 < b.b0;
+      }));
     }
     const auto nearest = [](const std::vector<Certified_window>& windows, double t) {
       double result = infinity;
@@ -436,13 +435,14 @@ void needles_without_an_end()
 
 GEODESIC_OFFSET_TEST(test_certified_bounds)
 {
-  const std::pair<const char*, void (*)()> tests[] = {{"use", use},
-                                                      {"a straight border", straight_border},
-                                                      {"removed elements", removed_elements},
-                                                      {"needles without an end", needles_without_an_end},
-                                                      {"past a flat vertex", past_flat_vertex},
-                                                      {"near a saddle vertex", near_saddle},
-                                                      {"sweeps", sweeps},
-                                                      {"random meshes", random_meshes}};
+  const std::pair<const char*, void (*)()> tests[] = {
+    {"use", use},
+    {"a straight border", straight_border},
+    {"removed elements", removed_elements},
+    {"needles without an end", needles_without_an_end},
+    {"past a flat vertex", past_flat_vertex},
+    {"near a saddle vertex", near_saddle},
+    {"sweeps", sweeps},
+    {"random meshes", random_meshes}};
   return run_tests("test_certified_bounds", tests);
 }

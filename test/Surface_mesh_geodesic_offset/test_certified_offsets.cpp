@@ -30,8 +30,7 @@ namespace test_certified_offsets {
 
 using namespace test;
 
-typedef CGAL::Surface_mesh_geodesic_enclosure<CGAL::Surface_mesh_geodesic_offset_traits<Kernel, test::Surface_mesh>>
-  Enclosure;
+typedef CGAL::Surface_mesh_geodesic_enclosure<CGAL::Surface_mesh_geodesic_offset_traits<Kernel, test::Surface_mesh>> Enclosure;
 typedef Enclosure::Polyline Polyline;
 typedef CGAL::Offset_certificate_limit Limit;
 typedef CGAL::Geodesic_offset_certificate<Face_location> Certificate;
@@ -45,7 +44,8 @@ struct Case
 {
   Case(const std::string& name, const test::Surface_mesh& m)
     : name(name), mesh(m), diagonal(bounding_box_diagonal(m)), geodesic(m), enclosure(m)
-  {}
+  {
+  }
 
   template <class Source>
   void add_source(const Source& source)
@@ -116,8 +116,7 @@ void check_ours(Case& c, double d)
   CHECK_DETAIL(own.tolerance <= own_tolerance * c.diagonal, values(d, own.tolerance / c.diagonal));
   CHECK(own.number_of_reversed_curves == 0 && !own.first_reversed_curve);
   worst_of_ours = (std::max)(worst_of_ours, own.tolerance / c.diagonal);
-  for (const auto& curve : curves)
-    CHECK_DETAIL(deviation(c.enclosure, curve, d) <= own.tolerance, values(d, own.tolerance));
+  for (const auto& curve : curves) CHECK_DETAIL(deviation(c.enclosure, curve, d) <= own.tolerance, values(d, own.tolerance));
   if (curves.empty()) return;
 
   // chords are off the arcs by less than their tolerance
@@ -130,8 +129,8 @@ void check_ours(Case& c, double d)
 // Around points, distances are nowhere linear.
 void check_interpolation(Case& c, double d, bool has_points)
 {
-  const auto curves =
-    interpolated_offset(c.mesh, [&](auto v) { return c.geodesic.distance_to_sources(v); }, d);
+  const auto curves = interpolated_offset(
+    c.mesh, [&](auto v) { return c.geodesic.distance_to_sources(v); }, d);
   if (curves.empty()) return;
   const Certificate other = c.enclosure.certify_offset(d, curves);
   CHECK(other.bounds_region); // on coarse meshes not always on the side of the sources
@@ -367,11 +366,12 @@ void sampled_regions()
   for (unsigned seed = 1; seed <= 40; ++seed)
   {
     Report::instance().set_context("sampled region, seed " + std::to_string(seed));
-    const Soup soup = seed % 5 == 0   ? torus(6, 5)
-                      : seed % 5 == 1 ? icosphere(1)
-                      : seed % 5 == 2 ? planar_grid(4, 5, Diagonals::alternating)
-                      : seed % 5 == 3 ? cube_grid(2)
-                                      : rotated(needle_fan(30), seed);
+    const Soup soup =
+      seed % 5 == 0   ? torus(6, 5)
+      : seed % 5 == 1 ? icosphere(1)
+      : seed % 5 == 2 ? planar_grid(4, 5, Diagonals::alternating)
+      : seed % 5 == 3 ? cube_grid(2)
+                      : rotated(needle_fan(30), seed);
     Sampled_region(soup, seed).check();
   }
 }
@@ -559,7 +559,8 @@ void rounding_of_levels()
 {
   test::Surface_mesh mesh;
   std::vector<test::Surface_mesh::Vertex_index> v;
-  for (const Point_3& p : {Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0, 0.7, 0), Point_3(1.1, 0.9, 0.2)}) v.push_back(mesh.add_vertex(p));
+  for (const Point_3& p : {Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0, 0.7, 0), Point_3(1.1, 0.9, 0.2)})
+    v.push_back(mesh.add_vertex(p));
   mesh.add_face(v[0], v[1], v[2]);
   mesh.add_face(v[1], v[3], v[2]);
   for (const double rounding : {0., 0x1p-43, 0x1p-42, 0x1p-41, 1.000003 * 0x1p-42})
@@ -667,7 +668,7 @@ GEODESIC_OFFSET_TEST(test_certified_offsets)
     {"faults", faults},
     {"no region, and other sources", no_region_and_other_sources}};
   const int result = run_tests("test_certified_offsets", tests);
-  std::cout << number_of_offsets << " offsets, tolerances up to " << worst_of_ours << " of the diagonal; of linear interpolation "
-            << least_of_interpolation << " at least" << std::endl;
+  std::cout << number_of_offsets << " offsets, tolerances up to " << worst_of_ours
+            << " of the diagonal; of linear interpolation " << least_of_interpolation << " at least" << std::endl;
   return result;
 }

@@ -92,8 +92,7 @@ void reference_with_bends()
   of_cube.solve({0}, {}, {});
   double farthest = 0;
   for (std::size_t v = 0; v < c.points.size(); ++v)
-    if (std::abs(euclidean(cube.points[0], cube.points[v]) - std::sqrt(3.)) < 1e-9)
-      farthest = double(of_cube.of_vertex(v));
+    if (std::abs(euclidean(cube.points[0], cube.points[v]) - std::sqrt(3.)) < 1e-9) farthest = double(of_cube.of_vertex(v));
   CHECK_DETAIL(std::abs(farthest - std::sqrt(5.)) < 1e-15, values(farthest, std::sqrt(5.)));
   // an unreachable part
   Reference_distances two({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 0, 0}, {6, 0, 0}, {5, 1, 0}}, {{0, 1, 2}, {3, 4, 5}});
@@ -300,16 +299,17 @@ GEODESIC_OFFSET_TEST(test_certified_reference)
 {
   for (int i = 1; i + 1 < argc; ++i)
     if (argv[i] == std::string("--meshes")) number_of_meshes = std::strtoul(argv[i + 1], nullptr, 10);
-  const std::pair<const char*, void (*)()> tests[] = {{"reference in the plane", reference_in_the_plane},
-                                                      {"reference with bends", reference_with_bends},
-                                                      {"known cases", known_cases},
-                                                      {"rounding mode", rounding_mode},
-                                                      {"tiny edges", tiny_edges},
-                                                      {"many faces without a bend", many_faces_without_a_bend},
-                                                      {"general meshes", general_meshes},
-                                                      {"adversarial meshes", adversarial_meshes},
-                                                      {"near a vertex", near_vertices},
-                                                      {"in a flat cap", in_flat_cap},
-                                                      {"segments with start values", segments}};
+  const std::pair<const char*, void (*)()> tests[] = {
+    {"reference in the plane", reference_in_the_plane},
+    {"reference with bends", reference_with_bends},
+    {"known cases", known_cases},
+    {"rounding mode", rounding_mode},
+    {"tiny edges", tiny_edges},
+    {"many faces without a bend", many_faces_without_a_bend},
+    {"general meshes", general_meshes},
+    {"adversarial meshes", adversarial_meshes},
+    {"near a vertex", near_vertices},
+    {"in a flat cap", in_flat_cap},
+    {"segments with start values", segments}};
   return run_tests("test_certified_reference", tests);
 }

@@ -60,7 +60,8 @@ public:
   /// the last place) no solver can undo.
   Worst_error(double relative, double scale)
     : relative_(relative), absolute_(16 * std::numeric_limits<double>::epsilon() * scale)
-  {}
+  {
+  }
 
   /// Whether `actual` equals `expected` (infinities are equal, NaN equals nothing).
   bool add(double actual, double expected)
@@ -73,8 +74,7 @@ public:
       return same;
     }
     const double difference = std::abs(actual - expected);
-    if (difference > 0)
-      error_ = (std::max)(error_, difference / (std::max)(expected, absolute_ / relative_));
+    if (difference > 0) error_ = (std::max)(error_, difference / (std::max)(expected, absolute_ / relative_));
     return difference <= relative_ * expected + absolute_;
   }
 
@@ -96,34 +96,31 @@ bool check_close(Worst_error& worst, double actual, double expected, const char*
 #define CHECK(condition) CHECK_DETAIL(condition, "")
 
 /// `detail` is evaluated only for a failed check.
-#define CHECK_DETAIL(condition, detail)                                                            \
-  (static_cast<bool>(condition)                                                                    \
-     ? ::test::Report::instance().passed()                                                         \
-     : ::test::Report::instance().failed(#condition, __FILE__, __LINE__, detail))
+#define CHECK_DETAIL(condition, detail)                                                                                        \
+  (static_cast<bool>(condition) ? ::test::Report::instance().passed()                                                          \
+                                : ::test::Report::instance().failed(#condition, __FILE__, __LINE__, detail))
 
-#define CHECK_CLOSE(worst, actual, expected)                                                       \
+#define CHECK_CLOSE(worst, actual, expected)                                                                                   \
   ::test::check_close((worst), (actual), (expected), #actual " == " #expected, __FILE__, __LINE__)
 
-#define CHECK_THROWS(expression, exception_type)                                                   \
-  do {                                                                                             \
-    bool thrown_as_expected = false;                                                               \
-    std::string what_happened = "nothing was thrown";                                              \
-    try                                                                                            \
-    {                                                                                              \
-      expression;                                                                                  \
-    }                                                                                              \
-    catch (const exception_type&)                                                                  \
-    {                                                                                              \
-      thrown_as_expected = true;                                                                   \
-    }                                                                                              \
-    catch (const std::exception& other)                                                            \
-    {                                                                                              \
-      what_happened = other.what();                                                                \
-    }                                                                                              \
-    if (thrown_as_expected) ::test::Report::instance().passed();                                   \
-    else                                                                                           \
-      ::test::Report::instance().failed(#expression " throws " #exception_type, __FILE__, __LINE__, \
-                                        what_happened);                                            \
+#define CHECK_THROWS(expression, exception_type)                                                                               \
+  do {                                                                                                                         \
+    bool thrown_as_expected = false;                                                                                           \
+    std::string what_happened = "nothing was thrown";                                                                          \
+    try                                                                                                                        \
+    {                                                                                                                          \
+      expression;                                                                                                              \
+    }                                                                                                                          \
+    catch (const exception_type&)                                                                                              \
+    {                                                                                                                          \
+      thrown_as_expected = true;                                                                                               \
+    }                                                                                                                          \
+    catch (const std::exception& other)                                                                                        \
+    {                                                                                                                          \
+      what_happened = other.what();                                                                                            \
+    }                                                                                                                          \
+    if (thrown_as_expected) ::test::Report::instance().passed();                                                               \
+    else ::test::Report::instance().failed(#expression " throws " #exception_type, __FILE__, __LINE__, what_happened);         \
   } while (false)
 
 namespace test {

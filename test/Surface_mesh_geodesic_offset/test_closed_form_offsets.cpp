@@ -44,9 +44,9 @@ class Case
 {
 public:
   Case(const std::string& name, const Soup& soup)
-    : data_(soup), generator_(data_, 1), unfolding_(data_), name_(name),
-      diagonal_(bounding_box_diagonal(data_.mesh))
-  {}
+    : data_(soup), generator_(data_, 1), unfolding_(data_), name_(name), diagonal_(bounding_box_diagonal(data_.mesh))
+  {
+  }
 
   const Data& data() const { return data_; }
   Generator& generator() { return generator_; }
@@ -60,13 +60,11 @@ public:
   }
   void go(Path& path, std::size_t patch, const Point_2& p) const
   {
-    if (!generator_.add_leg(path, unfolding_.locate(patch, p), patch))
-      throw std::logic_error("a leg runs through a vertex");
+    if (!generator_.add_leg(path, unfolding_.locate(patch, p), patch)) throw std::logic_error("a leg runs through a vertex");
   }
   void close(Path& path, std::size_t patch) const
   {
-    if (!generator_.add_leg(path, path.locations.front(), patch))
-      throw std::logic_error("a leg runs through a vertex");
+    if (!generator_.add_leg(path, path.locations.front(), patch)) throw std::logic_error("a leg runs through a vertex");
     path.locations.pop_back();
   }
 
@@ -77,8 +75,8 @@ public:
   }
 
   /// `distance` returns the closed form at a point of a curve, if available.
-  void check(const std::string& what, const Path& path, bool closed, double level,
-             const Expected& expected, const std::function<double(const Face_location&)>& distance)
+  void check(const std::string& what, const Path& path, bool closed, double level, const Expected& expected,
+             const std::function<double(const Face_location&)>& distance)
   {
     Report::instance().set_context(name_ + ", " + what + ", level " + std::to_string(level));
     try
@@ -103,10 +101,8 @@ public:
         {
           CHECK(piece.source() == id);
           CHECK(piece.source_part() < path.locations.size());
-          CHECK(piece.is_arc() || piece.length() <= 1e-12 * diagonal_ ||
-                piece.is_nearest_to_segment());
-          if (piece.pseudo_source())
-            bent_length += piece.length();
+          CHECK(piece.is_arc() || piece.length() <= 1e-12 * diagonal_ || piece.is_nearest_to_segment());
+          if (piece.pseudo_source()) bent_length += piece.length();
           // rounding of the points of a polyline may bend it by about 1e-11, which creates arcs of such lengths
           arcs += piece.is_arc() && piece.length() > 1e-11 * diagonal_ ? 1 : 0;
           for (int k = 0; distance && k <= 4; ++k)
@@ -120,11 +116,9 @@ public:
       }
       number_of_curves += curves.size();
       CHECK_DETAIL(n_closed == expected.closed || expected.closed == any,
-                   std::to_string(n_closed) + " closed, expected " +
-                     std::to_string(expected.closed));
+                   std::to_string(n_closed) + " closed, expected " + std::to_string(expected.closed));
       CHECK_DETAIL(curves.size() - n_closed == expected.open,
-                   std::to_string(curves.size() - n_closed) + " open, expected " +
-                     std::to_string(expected.open));
+                   std::to_string(curves.size() - n_closed) + " open, expected " + std::to_string(expected.open));
       const double error = std::abs(length - expected.length) / expected.length;
       CHECK_DETAIL(error <= 1e-11, values(length, expected.length));
       worst_length = (std::max)(worst_length, error);
@@ -141,19 +135,15 @@ public:
 
   /// Overload for the closed forms of closed_forms.h.
   template <class ClosedForm>
-  void check_form(const ClosedForm& form, const std::string& what, const Path& path, bool closed,
-                  double level, const Expected& expected)
+  void check_form(const ClosedForm& form, const std::string& what, const Path& path, bool closed, double level,
+                  const Expected& expected)
   {
     const std::vector<Leg> all = legs(path);
-    check(what, path, closed, level, expected,
-          [&](const Face_location& l)
-          {
-            double result = infinity;
-            for (const Leg& leg : all)
-              result =
-                (std::min)(result, form(unfolding_.patch_of(l.first), unfolding_.uv(l), leg));
-            return result;
-          });
+    check(what, path, closed, level, expected, [&](const Face_location& l) {
+      double result = infinity;
+      for (const Leg& leg : all) result = (std::min)(result, form(unfolding_.patch_of(l.first), unfolding_.uv(l), leg));
+      return result;
+    });
   }
 
   static double worst_off, worst_length;
@@ -175,9 +165,8 @@ std::size_t Case::levels = 0;
 
 void print_totals(const std::string& what)
 {
-  std::cout << what << ": " << Case::levels << " levels, " << Case::number_of_curves << " curves, "
-            << Case::points << " points off by at most " << Case::worst_off
-            << " diagonals, lengths by " << Case::worst_length << std::endl;
+  std::cout << what << ": " << Case::levels << " levels, " << Case::number_of_curves << " curves, " << Case::points
+            << " points off by at most " << Case::worst_off << " diagonals, lengths by " << Case::worst_length << std::endl;
   Case::levels = Case::number_of_curves = Case::points = 0;
   Case::worst_off = Case::worst_length = 0;
 }
@@ -209,32 +198,26 @@ void boxes(unsigned seed)
   const Polyhedron_distance box_distance(box), cube_distance(cube);
   for (const Size& size : sizes)
   {
-    Case on_box("box, seed " + std::to_string(seed),
-                rotated(box.triangulated(size.per_patch, size.per_edge, seed), seed));
-    const auto at = [&](std::size_t side, double x, double y, double z)
-    { return in_side(box, side, Point_3(x, y, z)); };
+    Case on_box("box, seed " + std::to_string(seed), rotated(box.triangulated(size.per_patch, size.per_edge, seed), seed));
+    const auto at = [&](std::size_t side, double x, double y, double z) { return in_side(box, side, Point_3(x, y, z)); };
 
     // The three right angles at a corner.
     for (double d : {0.001, 0.2, 0.44})
-      on_box.check_form(box_distance, "corner", on_box.start(2, at(2, 0, 0, 0)), false, d,
-                        {1, 0, 1.5 * pi * d});
+      on_box.check_form(box_distance, "corner", on_box.start(2, at(2, 0, 0, 0)), false, d, {1, 0, 1.5 * pi * d});
     // An edge: a line on each side, and a quarter circle at each end.
     Path edge = on_box.start(2, at(2, 0, 0, 0));
     {
       std::vector<std::pair<double, std::size_t>> on_edge;
       const Soup plain = box.triangulated(size.per_patch, size.per_edge, seed);
       for (std::size_t v = 0; v < plain.points.size(); ++v)
-        if (plain.points[v].y() == 0 && plain.points[v].z() == 0)
-          on_edge.push_back({plain.points[v].x(), v});
+        if (plain.points[v].y() == 0 && plain.points[v].z() == 0) on_edge.push_back({plain.points[v].x(), v});
       std::sort(on_edge.begin(), on_edge.end());
       edge.locations.clear();
       for (const auto& v : on_edge)
-        edge.locations.push_back(
-          on_box.generator().locations().at_vertex(on_box.data().vertices[v.second]));
+        edge.locations.push_back(on_box.generator().locations().at_vertex(on_box.data().vertices[v.second]));
       edge.legs.push_back({2, at(2, 0, 0, 0), at(2, a, 0, 0)});
     }
-    for (double d : {0.001, 0.2, 0.44})
-      on_box.check_form(box_distance, "edge", edge, false, d, {1, 0, 2 * a + pi * d});
+    for (double d : {0.001, 0.2, 0.44}) on_box.check_form(box_distance, "edge", edge, false, d, {1, 0, 2 * a + pi * d});
     // A ring at height z: rings above and below, then rectangles on top and bottom.
     const double z = 0.3;
     Path ring = on_box.start(2, at(2, 0, 0, z));
@@ -243,28 +226,22 @@ void boxes(unsigned seed)
     on_box.go(ring, 3, at(3, 0, b, z));
     on_box.close(ring, 4);
     const double round = 2 * (a + b);
-    for (double d : {0.01, 0.1, 0.149})
-      on_box.check_form(box_distance, "ring", ring, true, d, {2, 0, 2 * round, 0, 0});
+    for (double d : {0.01, 0.1, 0.149}) on_box.check_form(box_distance, "ring", ring, true, d, {2, 0, 2 * round, 0, 0});
     for (double d : {0.16, 0.2, 0.29})
-      on_box.check_form(box_distance, "ring", ring, true, d,
-                        {2, 0, 2 * round - 8 * (d - (c - z)), 0, 0});
+      on_box.check_form(box_distance, "ring", ring, true, d, {2, 0, 2 * round - 8 * (d - (c - z)), 0, 0});
     for (double d : {0.31, 0.4, 0.49})
-      on_box.check_form(box_distance, "ring", ring, true, d,
-                        {2, 0, 2 * round - 8 * (d - (c - z)) - 8 * (d - z), 0, 0});
+      on_box.check_form(box_distance, "ring", ring, true, d, {2, 0, 2 * round - 8 * (d - (c - z)) - 8 * (d - z), 0, 0});
 
     // From the center of a cube's side: a circle, folded over the edges, and cut by the planes of symmetry behind the
     // corners.
-    Case on_cube("cube, seed " + std::to_string(seed),
-                 rotated(cube.triangulated(size.per_patch, size.per_edge, seed), seed));
+    Case on_cube("cube, seed " + std::to_string(seed), rotated(cube.triangulated(size.per_patch, size.per_edge, seed), seed));
     const Path middle = on_cube.start(1, in_side(cube, 1, Point_3(0.5, 0.5, 1)));
     for (double d : {0.01, 0.3, 0.49, 0.55, 0.7})
       on_cube.check_form(cube_distance, "middle", middle, false, d, {1, 0, 2 * pi * d});
     for (double d : {0.75, 1., 1.4, 1.55})
-      on_cube.check_form(cube_distance, "middle", middle, false, d,
-                         {1, 0, 8 * d * std::asin(0.5 / d)});
+      on_cube.check_form(cube_distance, "middle", middle, false, d, {1, 0, 8 * d * std::asin(0.5 / d)});
     for (double d : {1.65, 1.8, 1.95})
-      on_cube.check_form(cube_distance, "middle", middle, false, d,
-                         {1, 0, 8 * d * (std::asin(std::sqrt(2.) / d) - pi / 4)});
+      on_cube.check_form(cube_distance, "middle", middle, false, d, {1, 0, 8 * d * (std::asin(std::sqrt(2.) / d) - pi / 4)});
   }
 }
 
@@ -282,24 +259,18 @@ void prisms(unsigned seed)
       for (double d : {0.01, 0.2, 0.49 * period, 0.7 * period})
         if (d < h / 2)
           on.check_form(distance, "point", point, false, d,
-                        d < period / 2 ? Expected{1, 0, 2 * pi * d}
-                                       : Expected{2, 0, 4 * d * std::asin(period / 2 / d)});
+                        d < period / 2 ? Expected{1, 0, 2 * pi * d} : Expected{2, 0, 4 * d * std::asin(period / 2 / d)});
       // Beyond both ends, above and below: two strips remain.
       const double rim = 0.5;
       const Path low = on.start(1, Point_2(1.3 * w, rim));
       for (double d : {0.6, 0.45 * period})
-        if (d > rim)
-          on.check_form(distance, "point near the rim", low, false, d,
-                        {0, 1, d * (pi + 2 * std::asin(rim / d))});
+        if (d > rim) on.check_form(distance, "point near the rim", low, false, d, {0, 1, d * (pi + 2 * std::asin(rim / d))});
       // Around the prism at one height.
       Path ring = on.start(0, Point_2(0, 1.1));
-      for (std::size_t i = 0; i + 1 < sides; ++i)
-        on.go(ring, i, Point_2(static_cast<double>(i + 1) * w, 1.1));
+      for (std::size_t i = 0; i + 1 < sides; ++i) on.go(ring, i, Point_2(static_cast<double>(i + 1) * w, 1.1));
       on.close(ring, sides - 1);
-      for (double d : {0.001, 0.4, 1.09})
-        on.check_form(distance, "ring", ring, true, d, {2, 0, 2 * period, 0, 0});
-      for (double d : {1.11, 2.8})
-        on.check_form(distance, "ring", ring, true, d, {1, 0, period, 0, 0});
+      for (double d : {0.001, 0.4, 1.09}) on.check_form(distance, "ring", ring, true, d, {2, 0, 2 * period, 0, 0});
+      for (double d : {1.11, 2.8}) on.check_form(distance, "ring", ring, true, d, {1, 0, period, 0, 0});
       // A helix over three sides: straight in the unrolled strip.
       Path helix = on.start(0, Point_2(0.4 * w, 1.6));
       const double rise = 0.3;
@@ -308,8 +279,7 @@ void prisms(unsigned seed)
       on.go(helix, 2, Point_2(2.25 * w, 1.6 + rise * 1.85));
       const double l = std::hypot(1.85 * w, 1.85 * rise);
       for (double d : {0.01, 0.1, 0.2 * period})
-        if (1.85 * w + 2 * d < period)
-          on.check_form(distance, "helix", helix, false, d, {1, 0, 2 * l + 2 * pi * d});
+        if (1.85 * w + 2 * d < period) on.check_form(distance, "helix", helix, false, d, {1, 0, 2 * l + 2 * pi * d});
       // Along a side.
       Path line = on.start(1, Point_2(1.37 * w, 1.7));
       on.go(line, 1, Point_2(1.37 * w, 2.3));
@@ -323,10 +293,7 @@ void prisms(unsigned seed)
 
 // ------------------------------------------------------------------------------------------------
 
-Point_2 polar(double r, double angle)
-{
-  return Point_2(r * std::cos(angle), r * std::sin(angle));
-}
+Point_2 polar(double r, double angle) { return Point_2(r * std::cos(angle), r * std::sin(angle)); }
 
 void cones(unsigned seed)
 {
@@ -335,13 +302,11 @@ void cones(unsigned seed)
     {
       const Cone cone(16, turns * 2 * pi, 1);
       const Cone_distance distance(cone);
-      const double theta = cone.total_angle, sector = cone.sector_angle(),
-                   largest = std::cos(sector / 2);
+      const double theta = cone.total_angle, sector = cone.sector_angle(), largest = std::cos(sector / 2);
       Case on("cone of " + std::to_string(turns) + " turns, seed " + std::to_string(seed),
               rotated(cone.triangulated(size.per_patch, size.per_edge, seed), seed));
       const Path apex = on.start(0, Point_2(0, 0));
-      for (double d : {0.001, 0.3, 0.98 * largest})
-        on.check_form(distance, "apex", apex, false, d, {1, 0, theta * d});
+      for (double d : {0.001, 0.3, 0.98 * largest}) on.check_form(distance, "apex", apex, false, d, {1, 0, theta * d});
 
       const double h = 0.35, alpha = theta / 2;
       const Path point = on.start(3, polar(h, 0.3 * sector));
@@ -368,8 +333,7 @@ void cones(unsigned seed)
         for (double d : {0.05, 0.19, 0.21, 0.35})
         {
           const double shadow = d > 0.2 ? (theta - 2 * pi) * (d - 0.2) : 0;
-          on.check_form(distance, "radial segment", radial, false, d,
-                        {1, 0, 2 * 0.3 + 2 * pi * d + shadow, shadow});
+          on.check_form(distance, "radial segment", radial, false, d, {1, 0, 2 * 0.3 + 2 * pi * d + shadow, shadow});
         }
       }
       if (theta > pi)
@@ -377,8 +341,7 @@ void cones(unsigned seed)
         Path to_apex = on.start(2, polar(0.5, 0.4 * sector));
         on.go(to_apex, 2, Point_2(0, 0));
         for (double d : {0.05, 0.2, 0.35})
-          on.check_form(distance, "segment to the apex", to_apex, false, d,
-                        {1, 0, 2 * 0.5 + pi * d + (theta - pi) * d});
+          on.check_form(distance, "segment to the apex", to_apex, false, d, {1, 0, 2 * 0.5 + pi * d + (theta - pi) * d});
       }
       for (const std::size_t other : {6u, 11u})
       {
@@ -414,8 +377,7 @@ void cones(unsigned seed)
       const double h = 0.3;
       const Path point = on.start(10, polar(h, 0.2 * sector)); // pi is visible to either side
       if (10.2 * sector < pi || 9.8 * sector < pi) continue;
-      for (double d : {0.1, 0.29})
-        on.check_form(distance, "point", point, false, d, {1, 0, 2 * pi * d});
+      for (double d : {0.1, 0.29}) on.check_form(distance, "point", point, false, d, {1, 0, 2 * pi * d});
       for (double d : {0.31, 0.5})
         on.check_form(distance, "point", point, false, d,
                       {0, 1, 2 * pi * d + (theta - 2 * pi) * (d - h), (theta - 2 * pi) * (d - h)});
@@ -435,16 +397,13 @@ void tetrahedra(unsigned seed)
             rotated(sides.triangulated(size.per_patch, size.per_edge, seed), seed));
     // The tetrahedron tiles the plane: images of a vertex form a lattice with step 2 a.
     const Path vertex = on.start(0, Point_2(0, 0));
-    for (double d : {0.01, 1., 0.999 * a})
-      on.check_form(distance, "vertex", vertex, false, d, {1, 0, pi * d});
+    for (double d : {0.01, 1., 0.999 * a}) on.check_form(distance, "vertex", vertex, false, d, {1, 0, pi * d});
     for (double d : {1.001 * a, 1.08 * a, 1.14 * a})
-      on.check_form(distance, "vertex", vertex, false, d,
-                    {1, 0, cut_level(d) * (pi - 6 * std::acos(a / cut_level(d)))});
+      on.check_form(distance, "vertex", vertex, false, d, {1, 0, cut_level(d) * (pi - 6 * std::acos(a / cut_level(d)))});
 
     // Images of any other source: half turns about the points of the lattice with step a.
     Random random(seed);
-    const auto in_side_0 = [&]()
-    {
+    const auto in_side_0 = [&]() {
       const auto w = random_barycentric(random);
       return Point_2(w[1] * a + w[2] * a / 2, w[2] * height);
     };
@@ -471,8 +430,7 @@ void tetrahedra(unsigned seed)
         {
           const Planar_offset expected(images, cut_level(d), box);
           if (expected.pieces().empty()) continue;
-          on.check_form(distance, "path of " + std::to_string(kind) + " legs", path, false, d,
-                        {any, 0, expected.length()});
+          on.check_form(distance, "path of " + std::to_string(kind) + " legs", path, false, d, {any, 0, expected.length()});
         }
         catch (const std::exception& e)
         {
@@ -489,38 +447,26 @@ void tetrahedra(unsigned seed)
 /// distances from a ring.
 struct Torus
 {
-  Torus(std::size_t n, std::size_t m, double major, double minor)
-    : n(n), m(m), major(major), minor(minor)
-  {}
+  Torus(std::size_t n, std::size_t m, double major, double minor) : n(n), m(m), major(major), minor(minor) {}
 
   double radius(std::size_t j) const { return major + minor * std::cos(angle(j)); }
-  double angle(std::size_t j) const
-  {
-    return 2 * pi * static_cast<double>(j) / static_cast<double>(m);
-  }
+  double angle(std::size_t j) const { return 2 * pi * static_cast<double>(j) / static_cast<double>(m); }
   /// Half the length of an edge of ring j.
-  double half_chord(std::size_t j) const
-  {
-    return radius(j) * std::sin(pi / static_cast<double>(n));
-  }
+  double half_chord(std::size_t j) const { return radius(j) * std::sin(pi / static_cast<double>(n)); }
   /// From the midpoint of an edge of ring j to that of ring j + 1.
   double slant(std::size_t j) const
   {
     return std::hypot((radius(j + 1) - radius(j)) * std::cos(pi / static_cast<double>(n)),
                       minor * (std::sin(angle(j + 1)) - std::sin(angle(j))));
   }
-  double leg(std::size_t j) const
-  {
-    return std::hypot(slant(j), half_chord(j + 1) - half_chord(j));
-  }
+  double leg(std::size_t j) const { return std::hypot(slant(j), half_chord(j + 1) - half_chord(j)); }
 
   /// Vertices i m + j of the soup.
   Path path(const Case& on, const std::vector<std::size_t>& vertices) const
   {
     Path result;
     const Locations<test::Surface_mesh> locations(on.data().mesh);
-    for (std::size_t v : vertices)
-      result.locations.push_back(locations.at_vertex(on.data().vertices[v]));
+    for (std::size_t v : vertices) result.locations.push_back(locations.at_vertex(on.data().vertices[v]));
     return result;
   }
 
@@ -531,13 +477,10 @@ struct Torus
     const std::size_t quad = on.data().face_number(l.first) / 2, i = quad / m;
     j = quad % m;
     const Point_3 a = soup.points[i * m + j], b = soup.points[(i + 1) % n * m + j],
-                  c = soup.points[(i + 1) % n * m + (j + 1) % m],
-                  e = soup.points[i * m + (j + 1) % m];
+                  c = soup.points[(i + 1) % n * m + (j + 1) % m], e = soup.points[i * m + (j + 1) % m];
     const Vector_3 along = b - a, up = CGAL::midpoint(e, c) - CGAL::midpoint(a, b);
-    const Vector_3 v =
-      Locations<test::Surface_mesh>(on.data().mesh).point(l) - CGAL::midpoint(a, b);
-    return Point_2(v * along / std::sqrt(along.squared_length()),
-                   v * up / std::sqrt(up.squared_length()));
+    const Vector_3 v = Locations<test::Surface_mesh>(on.data().mesh).point(l) - CGAL::midpoint(a, b);
+    return Point_2(v * along / std::sqrt(along.squared_length()), v * up / std::sqrt(up.squared_length()));
   }
 
   std::size_t n, m;
@@ -564,8 +507,7 @@ void tori()
     for (std::size_t j = 0; j < m; ++j) meridian.push_back(j);
     std::vector<double> up(1, 0);
     for (std::size_t j = 0; j < m / 2; ++j) up.push_back(up.back() + t.slant(j));
-    const auto from_outer = [&](const Face_location& l)
-    {
+    const auto from_outer = [&](const Face_location& l) {
       std::size_t j;
       const Point_2 p = t.in_quad(on, soup, l, j);
       return j < m / 2 ? up[j] + p.y() : up[m - j] - p.y();
@@ -577,8 +519,7 @@ void tori()
       while (up[j + 1] < d) ++j;
       const double s = (d - up[j]) / t.slant(j);
       const double half = (1 - s) * t.half_chord(j) + s * t.half_chord(j + 1);
-      on.check("outer equator", t.path(on, outer), true, d, {2, 0, 2 * n * 2 * half, 0, 0},
-               from_outer);
+      on.check("outer equator", t.path(on, outer), true, d, {2, 0, 2 * n * 2 * half, 0, 0}, from_outer);
     }
 
     // From the inner equator, strips get wider, at an increasing rate up to the highest ring: beside the legs, shortest
@@ -592,8 +533,7 @@ void tori()
       length.push_back(length.back() + t.leg(j));
       rise.push_back(rise.back() + t.slant(j));
     }
-    const auto from_inner = [&](const Face_location& l)
-    {
+    const auto from_inner = [&](const Face_location& l) {
       std::size_t j;
       const Point_2 p = t.in_quad(on, soup, l, j);
       const std::size_t k = j >= m / 2 ? j - m / 2 : m / 2 - 1 - j;
@@ -615,8 +555,7 @@ void tori()
       double straight = 2 * t.half_chord(m / 2) + 2 * angle[0] * d, bent = 0;
       for (std::size_t k = 1; k < quarter; ++k)
         if (d > length[k]) bent += 2 * (angle[k] - angle[k - 1]) * (d - length[k]);
-      on.check("inner equator", t.path(on, inner), true, d,
-               {2, 0, 2 * n * (straight + bent), 2 * n * bent}, from_inner);
+      on.check("inner equator", t.path(on, inner), true, d, {2, 0, 2 * n * (straight + bent), 2 * n * bent}, from_inner);
     }
 
     // From a meridian, as long as the offset stays in the adjacent quads: the length lost or gained at each vertex depends

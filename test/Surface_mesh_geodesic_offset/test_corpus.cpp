@@ -19,9 +19,15 @@ void outcomes()
 {
   Report::instance().set_context("outcomes");
   CHECK(run_isolated(5, [] { return std::string(100000, 'x'); }).text.size() == 100000);
-  const Isolated_result crash = run_isolated(5, []() -> std::string { std::raise(SIGKILL); return "not reached"; });
+  const Isolated_result crash = run_isolated(5, []() -> std::string {
+    std::raise(SIGKILL);
+    return "not reached";
+  });
   CHECK(crash.signal == SIGKILL && crash.text.empty());
-  const Isolated_result endless = run_isolated(1, []() -> std::string { for (volatile bool goes_on = true; goes_on;) {}; return {}; });
+  const Isolated_result endless = run_isolated(1, []() -> std::string {
+    for (volatile bool goes_on = true; goes_on;) {};
+    return {};
+  });
   CHECK(endless.signal == SIGALRM && endless.seconds > 0.5);
 }
 

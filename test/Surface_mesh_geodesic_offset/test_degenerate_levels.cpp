@@ -29,8 +29,7 @@ void vertices_on_the_level()
       const double farthest = std::sqrt(8.);
       check_level("the farthest points", square.mesh, source, farthest, {0, 0, 0});
       const double just_below = farthest * (1 - 1e-6);
-      check_level("just below them", square.mesh, source, just_below,
-                  {4, 0, corners(just_below), 20});
+      check_level("just below them", square.mesh, source, just_below, {4, 0, corners(just_below), 20});
       check_level("beyond them", square.mesh, source, 3, {0, 0, 0});
       check_level("far beyond them", square.mesh, source, 1e9, {0, 0, 0});
     }
@@ -43,19 +42,16 @@ void edges_on_the_level()
   {
     const Square square(diagonals, 0.25);
     const auto line = square.polylines({{Point_2(0, 2), Point_2(4, 2)}});
-    for (double level : {0.125, 0.25, 0.5, 1., 1.75, 2.})
-      check_level("a line of edges", square.mesh, line, level, {2, 0, 8});
+    for (double level : {0.125, 0.25, 0.5, 1., 1.75, 2.}) check_level("a line of edges", square.mesh, line, level, {2, 0, 8});
     check_level("beyond the border edges", square.mesh, line, 2.5, {0, 0, 0});
     const auto segment = square.polylines({{Point_2(1, 2), Point_2(3, 2)}});
     for (double level : {0.25, 0.5, 0.75, 1.})
       check_level("edges inside", square.mesh, segment, level, {1, 1, 4 + 2 * pi * level});
     const auto slanted = square.polylines({{Point_2(1, 1), Point_2(3, 3)}});
     for (double level : {std::sqrt(0.03125), std::sqrt(0.125), 0.75})
-      check_level("a diagonal", square.mesh, slanted, level,
-                  {1, 1, 2 * std::sqrt(8.) + 2 * pi * level});
+      check_level("a diagonal", square.mesh, slanted, level, {1, 1, 2 * std::sqrt(8.) + 2 * pi * level});
     // the maximum between two lines is a line: the level bounds the points on either side
-    const auto two_lines =
-      square.polylines({{Point_2(0, 1), Point_2(4, 1)}, {Point_2(0, 2), Point_2(4, 2)}});
+    const auto two_lines = square.polylines({{Point_2(0, 1), Point_2(4, 1)}, {Point_2(0, 2), Point_2(4, 2)}});
     check_level("two lines, between", square.mesh, two_lines, 0.25, {4, 0, 16});
     check_level("two lines, maximum", square.mesh, two_lines, 0.5, {4, 0, 16});
     check_level("two lines, above", square.mesh, two_lines, 0.5 + 1e-9, {2, 0, 8});
@@ -72,19 +68,15 @@ void saddles()
     {
       const auto two = square.vertices({{2 - 0.5, 2}, {2 - 0.5 + 2 * half, 2}});
       const auto one_curve = [half](double d) { return 4 * d * (pi - std::acos(half / d)); };
-      check_level("below the saddle", square.mesh, two, half * (1 - 1e-6),
-                  {2, 2, 4 * pi * half * (1 - 1e-6)});
+      check_level("below the saddle", square.mesh, two, half * (1 - 1e-6), {2, 2, 4 * pi * half * (1 - 1e-6)});
       check_level("the saddle", square.mesh, two, half, {2, 2, 4 * pi * half});
-      check_level("above the saddle", square.mesh, two, half * (1 + 1e-6),
-                  {1, 1, one_curve(half * (1 + 1e-6)), 1e4});
+      check_level("above the saddle", square.mesh, two, half * (1 + 1e-6), {1, 1, one_curve(half * (1 + 1e-6)), 1e4});
       check_level("far above", square.mesh, two, half + 0.25, {1, 1, one_curve(half + 0.25), 40});
     }
     // a saddle in the form of a segment
-    const auto parallel =
-      square.polylines({{Point_2(1, 1.5), Point_2(3, 1.5)}, {Point_2(1, 2.5), Point_2(3, 2.5)}});
+    const auto parallel = square.polylines({{Point_2(1, 1.5), Point_2(3, 1.5)}, {Point_2(1, 2.5), Point_2(3, 2.5)}});
     check_level("two segments, saddle", square.mesh, parallel, 0.5, {2, 2, 8 + 2 * pi});
-    check_level("two segments, above", square.mesh, parallel, 0.625,
-                {1, 1, 4 + 4 * 0.625 * (pi - std::acos(0.5 / 0.625)), 40});
+    check_level("two segments, above", square.mesh, parallel, 0.625, {1, 1, 4 + 4 * 0.625 * (pi - std::acos(0.5 / 0.625)), 40});
   }
   // Around a tube of square section with period 4, the front meets itself at 2.
   Soup tube;
@@ -101,8 +93,7 @@ void saddles()
   for (std::size_t j = 0; j < up; ++j)
     for (std::size_t i = 0; i < around; ++i)
     {
-      const std::size_t a = j * around + i, b = j * around + (i + 1) % around, c = b + around,
-                        d = a + around;
+      const std::size_t a = j * around + i, b = j * around + (i + 1) % around, c = b + around, d = a + around;
       tube.add_triangle({{a, b, c}});
       tube.add_triangle({{a, c, d}});
     }
@@ -110,8 +101,7 @@ void saddles()
   for (std::size_t i : {0, 1})
   {
     const auto source = [&](Geodesic& g) { g.add_source_point(data.vertices[5 * around + i]); };
-    for (double level : {0.5, 1., 1.5, 2.})
-      check_level("tube", data.mesh, source, level, {1, 1, 2 * pi * level});
+    for (double level : {0.5, 1., 1.5, 2.}) check_level("tube", data.mesh, source, level, {1, 1, 2 * pi * level});
     for (double level : {2 * (1 + 1e-6), 2.25, 2.5})
       check_level("tube, above the saddle", data.mesh, source, level,
                   {2, 2, level * (2 * pi - 4 * std::acos(2 / level)), 5000});
@@ -129,22 +119,16 @@ void touching_fronts()
     Planar_mesh plane(planar_grid(n, m, all_diagonals[seed % 4], 1, 0, seed));
     const test::Surface_mesh& mesh = plane.data.mesh;
     Geodesic geodesic(mesh);
-    for (std::size_t i = 0; i < 2 + seed % 2; ++i)
-      switch (uniform_index(random, 4))
+    for (std::size_t i = 0; i < 2 + seed % 2; ++i) switch (uniform_index(random, 4))
       {
-      case 0:
-        geodesic.add_source_point(
-          plane.data.vertices[uniform_index(random, plane.data.vertices.size())]);
-        break;
+      case 0: geodesic.add_source_point(plane.data.vertices[uniform_index(random, plane.data.vertices.size())]); break;
       case 1:
         geodesic.add_source_edges(std::vector<test::Surface_mesh::Edge_index>{
-          test::Surface_mesh::Edge_index(test::Surface_mesh::size_type(
-            uniform_index(random, num_edges(mesh))))});
+          test::Surface_mesh::Edge_index(test::Surface_mesh::size_type(uniform_index(random, num_edges(mesh))))});
         break;
       default:
-        geodesic.add_source_point(plane.location(
-          Point_2(0.5 * double(uniform_index(random, 2 * n + 1)),
-                  0.5 * double(uniform_index(random, 2 * m + 1)))));
+        geodesic.add_source_point(plane.location(Point_2(0.5 * double(uniform_index(random, 2 * n + 1)),
+                                                         0.5 * double(uniform_index(random, 2 * m + 1)))));
       }
     geodesic.build(CGAL::parameters::keep_windows(true));
     Validation_options options;
@@ -154,8 +138,7 @@ void touching_fronts()
     const Curve_checker checker(mesh, geodesic, options);
     for (double level = 0.25; level <= 1.5; level += 0.25)
     {
-      Report::instance().set_context("touching fronts, seed " + std::to_string(seed) + ", level " +
-                                     std::to_string(level));
+      Report::instance().set_context("touching fronts, seed " + std::to_string(seed) + ", level " + std::to_string(level));
       const Offset_curves kept = offsets(geodesic, level);
       checker.check({level}, kept);
       Geodesic again(geodesic);
@@ -172,27 +155,22 @@ void maxima()
   for (const Diagonals diagonals : all_diagonals)
   {
     const Square square(diagonals, 0.5);
-    const auto boundary = [&](Geodesic& g)
-    {
+    const auto boundary = [&](Geodesic& g) {
       std::vector<test::Surface_mesh::Edge_index> border;
       for (auto e : edges(square.mesh))
         if (square.mesh.is_border(e)) border.push_back(e);
       g.add_source_edges(border);
     };
     for (double level : {0.25, 0.5, 1., 1.5, 2 - 1e-6})
-      check_level("the boundary of a square", square.mesh, boundary, level,
-                  {1, 1, 8 * (2 - level), 8});
+      check_level("the boundary of a square", square.mesh, boundary, level, {1, 1, 8 * (2 - level), 8});
     check_level("the middle of a square", square.mesh, boundary, 2, {0, 0, 0});
-    const auto inner = square.polylines(
-      {{Point_2(0.5, 1), Point_2(3.5, 1), Point_2(3.5, 2), Point_2(0.5, 2)}}, true);
-    check_level("a rectangle", square.mesh, inner, 0.25,
-                {2, 2, 8 - 8 * 0.25 + 8 + 2 * pi * 0.25, 20});
+    const auto inner = square.polylines({{Point_2(0.5, 1), Point_2(3.5, 1), Point_2(3.5, 2), Point_2(0.5, 2)}}, true);
+    check_level("a rectangle", square.mesh, inner, 0.25, {2, 2, 8 - 8 * 0.25 + 8 + 2 * pi * 0.25, 20});
     // the maximum inside is a segment of length 2, reached from all sides
     check_level("a rectangle, maximum", square.mesh, inner, 0.5, {2, 2, 4 + 8 + pi, 20});
   }
   const Data cube(cube_grid(4)), coarse(box_sides(1, 1, 1).triangulated(0, 0, 1));
-  const auto middle_of_top = [&](Geodesic& g)
-  {
+  const auto middle_of_top = [&](Geodesic& g) {
     for (auto v : cube.vertices)
       if (cube.mesh.point(v) == Point_3(0.5, 0.5, 1)) g.add_source_point(v);
   };
@@ -202,8 +180,7 @@ void maxima()
   check_level("cube, just below", cube.mesh, middle_of_top, d, {1, 1, 8 * d * std::asin(t / d), 9});
   check_level("cube, round edges", cube.mesh, middle_of_top, 0.5, {1, 1, pi});
   const auto corner = [&](Geodesic& g) { g.add_source_point(coarse.vertices[0]); };
-  for (double level : {0.5, 1.})
-    check_level("corner of a cube", coarse.mesh, corner, level, {1, 1, 1.5 * pi * level});
+  for (double level : {0.5, 1.}) check_level("corner of a cube", coarse.mesh, corner, level, {1, 1, 1.5 * pi * level});
 
   const Data tetrahedron(tetrahedron_sides().triangulated(0, 0, 1));
   const auto apex = [&](Geodesic& g) { g.add_source_point(tetrahedron.vertices[0]); };
@@ -213,19 +190,16 @@ void maxima()
   for (double level : {2.9, 3.2, middle * (1 - 1e-6)})
     check_level("tetrahedron, opposite face", tetrahedron.mesh, apex, level,
                 {1, 1, 6 * level * (pi / 6 - std::acos(edge / level)), 40});
-  check_level("tetrahedron, the farthest point", tetrahedron.mesh, apex, middle * (1 + 1e-12),
-              {0, 0, 0});
+  check_level("tetrahedron, the farthest point", tetrahedron.mesh, apex, middle * (1 + 1e-12), {0, 0, 0});
 
   // A thin rhombus: the distance decreases slowly from its center.
   for (double half : {0.25, 0.0625, 0.0078125, 0.0009765625})
   {
     Soup rhombus;
-    rhombus.points = {Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0, half, 0), Point_3(-1, 0, 0),
-                      Point_3(0, -half, 0)};
+    rhombus.points = {Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0, half, 0), Point_3(-1, 0, 0), Point_3(0, -half, 0)};
     for (std::size_t i = 1; i <= 4; ++i) rhombus.add_triangle({{0, i, i % 4 + 1}});
     const Data data(rhombus);
-    const auto boundary = [&](Geodesic& g)
-    {
+    const auto boundary = [&](Geodesic& g) {
       std::vector<test::Surface_mesh::Edge_index> border;
       for (auto e : edges(data.mesh))
         if (data.mesh.is_border(e)) border.push_back(e);
@@ -237,8 +211,7 @@ void maxima()
     const double largest = geodesic.distance_to_sources(data.vertices[0]);
     const std::string name = "rhombus of half width " + std::to_string(half);
     check_level(name, data.mesh, boundary, largest, {0, 0, 0});
-    check_level(name + ", half", data.mesh, boundary, largest / 2,
-                {1, 1, 2 * std::hypot(1, half), 8 / half});
+    check_level(name + ", half", data.mesh, boundary, largest / 2, {1, 1, 2 * std::hypot(1, half), 8 / half});
   }
 }
 
@@ -261,9 +234,23 @@ void loop_of_no_length()
                  Point_3(0.94201841966585032, 0.98255271106578301, -0.018635343884693123),
                  Point_3(2.0854687878986651, 0.43892048459079552, 0.038474281504684418),
                  Point_3(1.1177671692717377, 1.0829337376793959, 0.00015126356655764146)};
-  for (const auto& t : std::vector<std::array<std::size_t, 3>>{{0, 1, 2}, {2, 1, 3}, {4, 5, 6}, {7, 8, 4}, {9, 10, 0}, {1, 4, 6},
-                                                               {9, 0, 11}, {12, 8, 7}, {3, 1, 6}, {12, 10, 8}, {1, 7, 4},
-                                                               {1, 0, 7}, {11, 2, 3}, {11, 0, 2}, {0, 12, 7}, {0, 10, 12}})
+  for (const auto& t : std::vector<std::array<std::size_t, 3>>{
+         {0, 1, 2},
+         {2, 1, 3},
+         {4, 5, 6},
+         {7, 8, 4},
+         {9, 10, 0},
+         {1, 4, 6},
+         {9, 0, 11},
+         {12, 8, 7},
+         {3, 1, 6},
+         {12, 10, 8},
+         {1, 7, 4},
+         {1, 0, 7},
+         {11, 2, 3},
+         {11, 0, 2},
+         {0, 12, 7},
+         {0, 10, 12}})
     soup.add_triangle(t);
   const Data data(soup);
   const Locations<test::Surface_mesh> locations(data.mesh);
@@ -303,12 +290,10 @@ void saddle_vertex()
     test::Surface_mesh::Vertex_index nearest = data.vertices[1];
     const auto source = [&](Geodesic& g) { g.add_source_point(nearest); };
     for (auto h : halfedges_around_target(data.mesh.halfedge(data.vertices[0]), data.mesh))
-      if (CGAL::squared_distance(data.mesh.point(data.mesh.source(h)),
-                                 data.mesh.point(data.vertices[0])) <
+      if (CGAL::squared_distance(data.mesh.point(data.mesh.source(h)), data.mesh.point(data.vertices[0])) <
           CGAL::squared_distance(data.mesh.point(nearest), data.mesh.point(data.vertices[0])))
         nearest = data.mesh.source(h);
-    const double radius = std::sqrt(
-      CGAL::squared_distance(data.mesh.point(nearest), data.mesh.point(data.vertices[0])));
+    const double radius = std::sqrt(CGAL::squared_distance(data.mesh.point(nearest), data.mesh.point(data.vertices[0])));
     const double inner = std::cos(cone.sector_angle() / 2);
     if (!CHECK(2.2 * radius < inner)) continue;
     check_level("saddle vertex", data.mesh, source, radius, {1, 1, 2 * pi * radius, 10});
@@ -355,8 +340,7 @@ void corners_beside_edges()
              c = mesh.add_vertex(Point_3(5, 4, 0)), d = mesh.add_vertex(Point_3(4, 4, 0));
   mesh.add_face(a, b, c);
   const auto face = mesh.add_face(a, c, d);
-  const auto at = [&](double wa, double wc, double wd)
-  {
+  const auto at = [&](double wa, double wc, double wd) {
     Face_location l(face, {{0, 0, 0}});
     auto h = mesh.halfedge(face);
     for (int k = 0; k < 3; ++k, h = mesh.next(h)) l.second[k] = mesh.source(h) == a ? wa : mesh.source(h) == c ? wc : wd;
@@ -366,8 +350,8 @@ void corners_beside_edges()
   for (const double off : {0., 1.25e-10, 1e-9, 1e-8, 1e-7})
   {
     Geodesic geodesic(mesh);
-    geodesic.add_source_polyline(std::vector<Face_location>{
-      at(0.31, 0, 0.69), at(0.55 - off, 0.45, off), at(0.29, 0.38, 0.33), at(0.645, 0.183, 0.172)});
+    geodesic.add_source_polyline(std::vector<Face_location>{at(0.31, 0, 0.69), at(0.55 - off, 0.45, off), at(0.29, 0.38, 0.33),
+                                                            at(0.645, 0.183, 0.172)});
     Offset_curves curves;
     geodesic.build_with_offset_curves(0.405, std::back_inserter(curves));
     CHECK(geodesic.statistics().forced_joints == 0);
@@ -418,8 +402,7 @@ void cusps()
     {
       const Data data(random_rectangle(6, 4, inside, 1 + inside / 10, seed));
       const auto bottom = border_edges(data.mesh, [](double, double y) { return y == 0; });
-      const auto line_and_point = [&](Geodesic& g)
-      {
+      const auto line_and_point = [&](Geodesic& g) {
         bottom(g);
         g.add_source_point(g.locate(Point_3(3, 4, 0)));
       };
@@ -528,15 +511,16 @@ void corner_beyond_an_end()
           Report::instance().set_context("a corner beyond an end, height " + std::to_string(1e9 * height) + "e-9, lean " +
                                          std::to_string(lean));
           Soup soup;
-          soup.points = {Point_3(0, 0, 0), Point_3(6, 0.4 * height, 0), Point_3(12, 0, 0), Point_3(12 + lean * height, height, 0),
-                         Point_3(0, height, 0)};
+          soup.points = {Point_3(0, 0, 0), Point_3(6, 0.4 * height, 0), Point_3(12, 0, 0),
+                         Point_3(12 + lean * height, height, 0), Point_3(0, height, 0)};
           soup.add_triangle({{0, 1, 4}});
           soup.add_triangle({{1, 3, 4}});
           soup.add_triangle({{1, 2, 3}});
           const Data data(soup);
           Geodesic geodesic(data.mesh);
           std::vector<Surface_mesh::Edge_index> source;
-          for (std::size_t i : {0, 1}) source.push_back(edge(halfedge(data.vertices[i], data.vertices[i + 1], data.mesh).first, data.mesh));
+          for (std::size_t i : {0, 1})
+            source.push_back(edge(halfedge(data.vertices[i], data.vertices[i + 1], data.mesh).first, data.mesh));
           geodesic.add_source_edges(source);
           geodesic.build(CGAL::parameters::keep_windows(true));
           const double level = height * (1 - below), side = std::hypot(lean, 1.);
@@ -562,13 +546,11 @@ void levels_at_start_values()
     for (const auto& t : p.triangles) soup.add_triangle(t);
     const Data data(soup);
     const Locations<test::Surface_mesh> on_mesh(data.mesh);
-    const auto add = [&](Geodesic& g, const auto& places, bool closed, double start_value)
-    {
+    const auto add = [&](Geodesic& g, const auto& places, bool closed, double start_value) {
       std::vector<Face_location> locations;
       for (const auto& l : places) locations.push_back(on_mesh.in_triangle(data, soup, l.first, l.second));
       if (locations.size() == 1) g.add_source_point(locations[0], CGAL::parameters::start_value(start_value));
-      else if (!locations.empty())
-        g.add_source_polyline(locations, closed, CGAL::parameters::start_value(start_value));
+      else if (!locations.empty()) g.add_source_polyline(locations, closed, CGAL::parameters::start_value(start_value));
     };
     Geodesic both(data.mesh), other(data.mesh);
     add(other, p.other, false, 0);
@@ -722,16 +704,10 @@ void levels_that_are_no_distances()
   for (double level : {0., -0., -1., -1e-300, infinity, -infinity, std::nan("")})
   {
     check_refused([&] { geodesic.offset_curves(level, std::back_inserter(curves)); });
-    check_refused(
-      [&] {
-        geodesic.offset_curves(std::vector<double>{1, level}, std::back_inserter(curves));
-      });
+    check_refused([&] { geodesic.offset_curves(std::vector<double>{1, level}, std::back_inserter(curves)); });
     check_refused([&] { geodesic.offset_curves_by_distance(level, never); });
     check_refused([&] { geodesic.build_with_offset_curves(level, std::back_inserter(curves)); });
-    check_refused(
-      [&] {
-        geodesic.build_with_offset_curves_by_distance(std::vector<double>{level, 1}, never);
-      });
+    check_refused([&] { geodesic.build_with_offset_curves_by_distance(std::vector<double>{level, 1}, never); });
     check_refused([&] { CGAL::Offset_levels<double>::equally_spaced(level); });
     check_refused([&] { CGAL::Offset_levels<double>::equally_spaced(level, 3); });
   }
@@ -739,15 +715,12 @@ void levels_that_are_no_distances()
   {
     const auto levels = CGAL::Offset_levels<double>::equally_spaced(spacing);
     CHECK_THROWS(geodesic.offset_curves(levels, std::back_inserter(curves)), std::invalid_argument);
-    CHECK_THROWS(geodesic.build_with_offset_curves(levels, std::back_inserter(curves)),
-                 std::invalid_argument);
+    CHECK_THROWS(geodesic.build_with_offset_curves(levels, std::back_inserter(curves)), std::invalid_argument);
   }
   CHECK(curves.empty());
-  CHECK(geodesic.distance_to_sources(square.vertex(0, 0)) ==
-        distance); // the last build still exists
+  CHECK(geodesic.distance_to_sources(square.vertex(0, 0)) == distance); // the last build still exists
   geodesic.offset_curves(std::vector<double>(), std::back_inserter(curves));
-  geodesic.offset_curves(CGAL::Offset_levels<double>::equally_spaced(0.5, 0),
-                         std::back_inserter(curves));
+  geodesic.offset_curves(CGAL::Offset_levels<double>::equally_spaced(0.5, 0), std::back_inserter(curves));
   CHECK(curves.empty());
   geodesic.offset_curves(1e-300, std::back_inserter(curves)); // any positive spacing is valid
   geodesic.offset_curves(std::numeric_limits<double>::denorm_min(), std::back_inserter(curves));

@@ -91,10 +91,7 @@ struct Opened : CGAL::Surface_mesh_geodesic_offset<Traits>
 {
   using CGAL::Surface_mesh_geodesic_offset<Traits>::Surface_mesh_geodesic_offset;
 
-  const auto& surface() const
-  {
-    return CGAL::Geodesic_offset::internal::Mesh_access::data(this->mesh()).surface();
-  }
+  const auto& surface() const { return CGAL::Geodesic_offset::internal::Mesh_access::data(this->mesh()).surface(); }
 
   bool is_renumbered(const ::test_element_order::Mesh& mesh) const
   {
@@ -136,8 +133,8 @@ void add_sources(Geodesic& geodesic, const Ordered_mesh& data, const Soup& soup)
 {
   geodesic.add_source_point(data.vertices[77]);
   geodesic.add_source_point(data.location(9000, {{0.2, 0.3, 0.5}}, soup));
-  geodesic.add_source_polyline(
-    std::vector<Face_location>{data.location(4001, {{0.1, 0.2, 0.7}}, soup), data.location(4001, {{0.5, 0.3, 0.2}}, soup)});
+  geodesic.add_source_polyline(std::vector<Face_location>{data.location(4001, {{0.1, 0.2, 0.7}}, soup),
+                                                          data.location(4001, {{0.5, 0.3, 0.2}}, soup)});
   const auto& t = soup.triangles[14000];
   const Halfedge_index h = data.mesh.halfedge(data.vertices[t[0]], data.vertices[t[1]]);
   geodesic.add_source_edges(std::vector<Mesh::Edge_index>{data.mesh.edge(h)});
@@ -326,8 +323,7 @@ void messages()
   CGAL::Euler::remove_face(shuffled.mesh.halfedge(removed), shuffled.mesh);
   {
     Geodesic g(shuffled.mesh);
-    CHECK(message([&] { g.add_source_point(Face_location(removed, {{0.2, 0.3, 0.5}})); }).find(name(600)) !=
-          std::string::npos);
+    CHECK(message([&] { g.add_source_point(Face_location(removed, {{0.2, 0.3, 0.5}})); }).find(name(600)) != std::string::npos);
     g.add_source_point(shuffled.vertices[77]);
     g.build();
     CHECK(g.distance_to_sources(shuffled.vertices[5000]) < 10);
@@ -366,10 +362,11 @@ void certified_bounds()
 
 GEODESIC_OFFSET_TEST(test_element_order)
 {
-  const std::vector<std::pair<std::string, void (*)()>> tests = {{"renumbered", renumbered},
-                                                                 {"shuffled mesh", shuffled_mesh},
-                                                                 {"shuffled indices", shuffled_indices},
-                                                                 {"messages", messages},
-                                                                 {"certified bounds", certified_bounds}};
+  const std::vector<std::pair<std::string, void (*)()>> tests = {
+    {"renumbered", renumbered},
+    {"shuffled mesh", shuffled_mesh},
+    {"shuffled indices", shuffled_indices},
+    {"messages", messages},
+    {"certified bounds", certified_bounds}};
   return run_tests("test_element_order", tests);
 }

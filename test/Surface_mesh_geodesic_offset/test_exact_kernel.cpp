@@ -39,18 +39,9 @@ typedef Geodesic::Face_location Face_location;
 typedef std::array<std::size_t, 3> Triangle;
 typedef std::map<std::size_t, FT> Weights; // of vertices
 
-FT root(const FT& x)
-{
-  return CORE::sqrt(x);
-}
-FT hypotenuse(const FT& x, const FT& y)
-{
-  return root(x * x + y * y);
-}
-const FT& least(const FT& a, const FT& b)
-{
-  return b < a ? b : a;
-}
+FT root(const FT& x) { return CORE::sqrt(x); }
+FT hypotenuse(const FT& x, const FT& y) { return root(x * x + y * y); }
+const FT& least(const FT& a, const FT& b) { return b < a ? b : a; }
 
 class Shape
 {
@@ -125,8 +116,18 @@ Shape box(const FT& a, const FT& b, const FT& c)
   std::vector<Point_3> p;
   for (int i = 0; i < 8; ++i) p.emplace_back(i & 1 ? a : FT(0), i & 2 ? b : FT(0), i & 4 ? c : FT(0));
   return Shape("box", p,
-               {{{0, 2, 3}}, {{0, 3, 1}}, {{4, 5, 7}}, {{4, 7, 6}}, {{0, 1, 5}}, {{0, 5, 4}}, {{2, 6, 7}}, {{2, 7, 3}},
-                {{0, 4, 6}}, {{0, 6, 2}}, {{1, 3, 7}}, {{1, 7, 5}}});
+               {{{0, 2, 3}},
+                {{0, 3, 1}},
+                {{4, 5, 7}},
+                {{4, 7, 6}},
+                {{0, 1, 5}},
+                {{0, 5, 4}},
+                {{2, 6, 7}},
+                {{2, 7, 3}},
+                {{0, 4, 6}},
+                {{0, 6, 2}},
+                {{1, 3, 7}},
+                {{1, 7, 5}}});
 }
 
 void test_box(const FT& a, const FT& b, const FT& c)
@@ -597,15 +598,19 @@ void test_points()
       {
         CHECK_DETAIL(points.size() == 5, std::to_string(points.size()));
         std::set<Point_3> actual(points.begin(), points.end());
-        CHECK((actual == std::set<Point_3>{Point_3(low, low, 0), Point_3(high, low, 0), Point_3(high, high, 0),
-                                           Point_3(low, high, 0)}));
+        CHECK((actual ==
+               std::set<Point_3>{Point_3(low, low, 0), Point_3(high, low, 0), Point_3(high, high, 0), Point_3(low, high, 0)}));
         continue;
       }
       // Exact where straight parts and arcs meet; a point inside an arc has the sine and cosine of a double. The midpoint
       // of a chord is within the tolerance.
       const auto off = [&](const Point_3& p) {
-        const FT x = p.x() < 1 ? FT(1 - p.x()) : p.x() > 5 ? FT(p.x() - 5) : FT(0),
-                 y = p.y() < 1 ? FT(1 - p.y()) : p.y() > 5 ? FT(p.y() - 5) : FT(0);
+        const FT x = p.x() < 1 ? FT(1 - p.x())
+                   : p.x() > 5 ? FT(p.x() - 5)
+                               : FT(0),
+                 y = p.y() < 1 ? FT(1 - p.y())
+                   : p.y() > 5 ? FT(p.y() - 5)
+                               : FT(0);
         return FT(level - hypotenuse(x, y));
       };
       for (std::size_t i = 1; i < points.size(); ++i)
@@ -625,7 +630,8 @@ void test_derived_traits()
 {
   typedef CGAL::Surface_mesh_geodesic_offset_traits<Kernel, Mesh> Package_traits;
   struct Derived_traits : Package_traits
-  {};
+  {
+  };
   std::map<std::pair<int, int>, std::size_t> id;
   const Shape s = squares("derived traits", 6, 6, id, [](int, int) { return true; }); // CORE takes a minute
   CGAL::Surface_mesh_geodesic_offset<Derived_traits> geodesic(s.mesh);

@@ -30,8 +30,7 @@ typedef CGAL::Geodesic_offset::internal::Radical_number Radical_number;
 typedef CGAL::Surface_mesh_geodesic_offset<
   CGAL::Surface_mesh_geodesic_offset_traits<CGAL::Simple_cartesian<Radical_number>, test::Surface_mesh>>
   Exact_geodesic;
-typedef CGAL::Surface_mesh_geodesic_enclosure<CGAL::Surface_mesh_geodesic_offset_traits<Kernel, test::Surface_mesh>>
-  Enclosure;
+typedef CGAL::Surface_mesh_geodesic_enclosure<CGAL::Surface_mesh_geodesic_offset_traits<Kernel, test::Surface_mesh>> Enclosure;
 typedef Generated_mesh<test::Surface_mesh> Data;
 
 struct Totals
@@ -62,7 +61,8 @@ struct Sequence
   }
   template <class Number>
   void operator()(Face_index, const std::array<Number, 3>&)
-  {}
+  {
+  }
 
   const test::Surface_mesh& mesh;
   std::vector<std::size_t> items;
@@ -81,7 +81,8 @@ public:
   Comparison(const std::string& name, const Soup& soup, unsigned seed, Totals& totals)
     : name_(name), data_(soup), locations_(data_.mesh), random_(seed), totals_(totals),
       scale_(bounding_box_diagonal(data_.mesh))
-  {}
+  {
+  }
 
   void run()
   {
@@ -130,8 +131,8 @@ private:
       const Face_location b(a.first, random_barycentric(random_));
       double_level.add_source_polyline(std::vector<Face_location>{a, b});
       enclosure.add_source_polyline(std::vector<Face_location>{a, b});
-      exact_level.add_source_polyline(
-        std::vector<Exact_geodesic::Face_location>{{a.first, exact(a.second)}, {b.first, exact(b.second)}});
+      exact_level.add_source_polyline(std::vector<Exact_geodesic::Face_location>{{a.first, exact(a.second)},
+                                                                                 {b.first, exact(b.second)}});
     }
     else if (kind == 4)
     {
@@ -143,8 +144,7 @@ private:
     }
     else if (kind == 5)
       for (std::size_t where : {2, 0}) add_point(where);
-    else
-      add_point(2 - kind);
+    else add_point(2 - kind);
   }
 
   void check_bounds(const Exact_geodesic& exact_level, const Enclosure& enclosure)
@@ -212,8 +212,7 @@ private:
     }
     const double step = 1e-6 * (std::min)(shortest, d);
     Halfedge_index h = first;
-    do
-    {
+    do {
       const Halfedge_index g = next(h, data_.mesh);
       if (!is_border(h, data_.mesh))
       {
@@ -291,8 +290,8 @@ GEODESIC_OFFSET_TEST(test_exact_random)
       const auto start = std::chrono::steady_clock::now();
       try
       {
-        Comparison(name + " " + std::to_string(seed) + (is_rotated ? ", rotated" : ""),
-                   is_rotated ? rotated(soup, seed) : soup, seed, totals)
+        Comparison(name + " " + std::to_string(seed) + (is_rotated ? ", rotated" : ""), is_rotated ? rotated(soup, seed) : soup,
+                   seed, totals)
           .run();
       }
       catch (const std::exception& e)
@@ -343,13 +342,12 @@ GEODESIC_OFFSET_TEST(test_exact_random)
             << totals.exact_signs << "; with paths and comparisons: signs by identity " << counts.by_identity.value()
             << ", by doubles " << counts.by_doubles.value() << ", by more bits " << counts.by_precision.value()
             << ", exactly zero " << counts.exactly_zero.value() << ", exactly not zero " << counts.exactly_not_zero.value()
-            << ", by high precision " << counts.by_high_precision.value() << ", by root bound "
-            << counts.by_root_bound.value() << ", by CORE " << counts.by_core.value() << "\nslowest: " << totals.slowest_name
-            << ", " << totals.slowest << " s" << std::endl;
+            << ", by high precision " << counts.by_high_precision.value() << ", by root bound " << counts.by_root_bound.value()
+            << ", by CORE " << counts.by_core.value() << "\nslowest: " << totals.slowest_name << ", " << totals.slowest << " s"
+            << std::endl;
   std::sort(totals.widths.begin(), totals.widths.end());
   const double median = totals.widths[totals.widths.size() / 2];
-  std::cout << "certified bounds: relative width " << median << " in the median, at most " << totals.widths.back()
-            << std::endl;
+  std::cout << "certified bounds: relative width " << median << " in the median, at most " << totals.widths.back() << std::endl;
   CHECK(median <= 1e-13);
   return Report::instance().finish("test_exact_random");
 }

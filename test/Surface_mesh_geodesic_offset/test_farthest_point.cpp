@@ -57,8 +57,7 @@ void check_place(const Point_2& p, const std::vector<Point_2>& places, double to
 }
 
 /// Points of a planar mesh as sources, and the expected farthest points.
-void points_in_plane(const Planar_mesh& plane, const std::vector<Point_2>& sources,
-                     const std::vector<Point_2>& places)
+void points_in_plane(const Planar_mesh& plane, const std::vector<Point_2>& sources, const std::vector<Point_2>& places)
 {
   Geodesic geodesic(plane.data.mesh);
   for (const Point_2& p : sources) geodesic.add_source_point(plane.location(p));
@@ -89,10 +88,8 @@ void unit_square()
     points_in_plane(plane, {a, c}, {b, d});
     points_in_plane(plane, {a, b}, {Point_2(0.5, 1)}); // where two distances tie on the border
     points_in_plane(plane, {Point_2(0.5, 0)}, {c, d});
-    points_in_plane(plane, {a, b, Point_2(0.5, 1)},
-                    {Point_2(0.5, 0.375), Point_2(0, 0.625), Point_2(1, 0.625)});
-    points_in_plane(plane, {a, b, c, d, m},
-                    {Point_2(0.5, 0), Point_2(1, 0.5), Point_2(0.5, 1), Point_2(0, 0.5)});
+    points_in_plane(plane, {a, b, Point_2(0.5, 1)}, {Point_2(0.5, 0.375), Point_2(0, 0.625), Point_2(1, 0.625)});
+    points_in_plane(plane, {a, b, c, d, m}, {Point_2(0.5, 0), Point_2(1, 0.5), Point_2(0.5, 1), Point_2(0, 0.5)});
   }
 }
 
@@ -101,8 +98,8 @@ void triangle_from_its_vertices()
 {
   Report::instance().set_context("triangle from its vertices");
   const Point_2 a(0, 0), b(1, 0);
-  for (const Point_2& c : {Point_2(0.5, std::sqrt(0.75)), Point_2(0.3, 0.8), Point_2(0.6, 1.9),
-                           Point_2(0, 1), Point_2(0.2, 0.1), Point_2(0.55, 0.01)})
+  for (const Point_2& c : {Point_2(0.5, std::sqrt(0.75)), Point_2(0.3, 0.8), Point_2(0.6, 1.9), Point_2(0, 1),
+                           Point_2(0.2, 0.1), Point_2(0.55, 0.01)})
   {
     Soup soup;
     for (const Point_2& p : {a, b, c}) soup.points.push_back(Point_3(p.x(), p.y(), 0));
@@ -113,8 +110,7 @@ void triangle_from_its_vertices()
     else
     {
       // as far from c as from a or b
-      const double ta = (c - a).squared_length() / (2 * c.x()),
-                   tb = (c - b).squared_length() / (2 * (1 - c.x()));
+      const double ta = (c - a).squared_length() / (2 * c.x()), tb = (c - b).squared_length() / (2 * (1 - c.x()));
       places.push_back(ta > tb ? Point_2(ta, 0) : Point_2(1 - tb, 0));
     }
     points_in_plane(Planar_mesh(soup), {a, b, c}, places);
@@ -137,8 +133,7 @@ void strips()
   for (unsigned seed = 1; seed <= 4; ++seed)
   {
     Report::instance().set_context("strip " + std::to_string(seed));
-    const Planar_mesh random(random_rectangle(4, 3, 80, 6, seed)),
-      turned(rotated(random_rectangle(4, 3, 80, 6, seed), seed));
+    const Planar_mesh random(random_rectangle(4, 3, 80, 6, seed)), turned(rotated(random_rectangle(4, 3, 80, 6, seed), seed));
     const Planar_mesh grid(planar_grid(16, 12, Diagonals(seed - 1), 0.25));
     const Planar_mesh needles(random_rectangle(4, 0.003, 40, 3, seed));
     for (const Planar_mesh* plane : {&random, &turned, &grid})
@@ -154,8 +149,7 @@ void strips()
 }
 
 /// Patches with closed form: the distance at the point, and a given largest distance.
-void from_point(const std::string& name, const Soup& soup, std::size_t source_patch,
-                const Point_2& source, double expected)
+void from_point(const std::string& name, const Soup& soup, std::size_t source_patch, const Point_2& source, double expected)
 {
   Report::instance().set_context(name);
   const Generated_mesh<test::Surface_mesh> data(soup);
@@ -166,8 +160,7 @@ void from_point(const std::string& name, const Soup& soup, std::size_t source_pa
     const std::array<Point_2, 3>& c = data.uv[i];
     std::array<double, 3> w;
     const double all = CGAL::area(c[0], c[1], c[2]);
-    for (std::size_t k = 0; k < 3; ++k)
-      w[k] = CGAL::area(source, c[(k + 1) % 3], c[(k + 2) % 3]) / all;
+    for (std::size_t k = 0; k < 3; ++k) w[k] = CGAL::area(source, c[(k + 1) % 3], c[(k + 2) % 3]) / all;
     if (*std::min_element(w.begin(), w.end()) < -1e-13) continue;
     for (double& x : w)
       if (std::abs(x) < 1e-14) x = 0;
@@ -193,28 +186,25 @@ void polyhedra()
     // not the opposite corner, but a quarter of the diagonal of the square side away from it
     const Polyhedron_sides box = box_sides(1, 1, 2);
     for (const std::size_t points : {0, 2, 10})
-      from_point("box from a corner", rotated(box.triangulated(points, points / 2, seed), seed), 0,
-                 box.uv(0)[0], std::sqrt(130.) / 4);
+      from_point("box from a corner", rotated(box.triangulated(points, points / 2, seed), seed), 0, box.uv(0)[0],
+                 std::sqrt(130.) / 4);
     const Polyhedron_sides tetrahedron = tetrahedron_sides();
     const double edge = distance(tetrahedron.uv(0)[0], tetrahedron.uv(0)[1]);
     for (const std::size_t points : {0, 2, 10})
-      from_point("tetrahedron from a corner",
-                 rotated(tetrahedron.triangulated(points, points / 2, seed), seed), 0,
+      from_point("tetrahedron from a corner", rotated(tetrahedron.triangulated(points, points / 2, seed), seed), 0,
                  tetrahedron.uv(0)[0], edge * 2 / std::sqrt(3.));
   }
 }
 
 /// Checks that no sample is farther, neither anywhere nor near the point.
-void check_samples(const Geodesic& geodesic, const test::Surface_mesh& mesh,
-                   const Farthest& farthest, std::size_t count, Random& random)
+void check_samples(const Geodesic& geodesic, const test::Surface_mesh& mesh, const Farthest& farthest, std::size_t count,
+                   Random& random)
 {
   const Locations<test::Surface_mesh> on_mesh(mesh);
   const std::vector<test::Surface_mesh::Face_index> all(faces(mesh).begin(), faces(mesh).end());
-  const auto check = [&](const Face_location& l)
-  {
+  const auto check = [&](const Face_location& l) {
     const double d = geodesic.distance_to_sources(l);
-    if (std::isfinite(d))
-      CHECK_DETAIL(d <= farthest.second * (1 + 1e-12), values(d, farthest.second));
+    if (std::isfinite(d)) CHECK_DETAIL(d <= farthest.second * (1 + 1e-12), values(d, farthest.second));
   };
   for (std::size_t i = 0; i < count; ++i)
     check(Face_location(all[uniform_index(random, all.size())], random_barycentric(random)));
@@ -228,15 +218,13 @@ void check_samples(const Geodesic& geodesic, const test::Surface_mesh& mesh,
     for (int i = 0; i < 20; ++i)
     {
       Face_location l(farthest.first.first, random_barycentric(random));
-      for (std::size_t k = 0; k < 3; ++k)
-        l.second[k] = (1 - t) * farthest.first.second[k] + t * l.second[k];
+      for (std::size_t k = 0; k < 3; ++k) l.second[k] = (1 - t) * farthest.first.second[k] + t * l.second[k];
       check(l);
     }
 }
 
 /// Sources of all kinds: points, paths over vertices, edges.
-void sources_of_all_kinds(const std::string& name, const test::Surface_mesh& mesh,
-                          std::size_t samples, unsigned seed)
+void sources_of_all_kinds(const std::string& name, const test::Surface_mesh& mesh, std::size_t samples, unsigned seed)
 {
   Random random(seed);
   const Locations<test::Surface_mesh> on_mesh(mesh);
@@ -247,11 +235,9 @@ void sources_of_all_kinds(const std::string& name, const test::Surface_mesh& mes
     Report::instance().set_context(name + ", kind " + std::to_string(kind));
     Geodesic geodesic(mesh);
     if (kind == 0) geodesic.add_source_point(on_mesh.corners(random_face())[0]);
-    else if (kind == 1)
-      geodesic.add_source_point(Face_location(random_face(), random_barycentric(random)));
+    else if (kind == 1) geodesic.add_source_point(Face_location(random_face(), random_barycentric(random)));
     else if (kind == 2)
-      for (int i = 0; i < 6; ++i)
-        geodesic.add_source_point(Face_location(random_face(), random_barycentric(random)));
+      for (int i = 0; i < 6; ++i) geodesic.add_source_point(Face_location(random_face(), random_barycentric(random)));
     else if (kind == 3) // inside a face
     {
       const auto f = random_face();
@@ -298,9 +284,7 @@ void generated_meshes()
     {"genus 5", marching_genus_5(10)}};
   for (const auto& soup : soups)
     for (unsigned seed = 1; seed <= 3; ++seed)
-      sources_of_all_kinds(soup.first,
-                           Generated_mesh<test::Surface_mesh>(rotated(soup.second, seed)).mesh,
-                           1500, seed);
+      sources_of_all_kinds(soup.first, Generated_mesh<test::Surface_mesh>(rotated(soup.second, seed)).mesh, 1500, seed);
 }
 
 void data_meshes()
@@ -319,8 +303,7 @@ void data_meshes()
 /// Plates whose border is the source: all vertices have distance zero.
 void plates()
 {
-  const auto largest = [](const Soup& soup)
-  {
+  const auto largest = [](const Soup& soup) {
     const Generated_mesh<test::Surface_mesh> plate(soup);
     Geodesic geodesic(plate.mesh);
     CHECK(!geodesic.add_source_boundary().empty());
@@ -337,8 +320,7 @@ void plates()
   plate.add_triangle({{0, 1, 2}});
   plate.add_triangle({{0, 2, 3}});
   CHECK_CLOSE(error(), largest(plate), height / 2);
-  for (const Point_3& p :
-       {corner(a, b), corner(width - a, b), corner(width - a, height - b), corner(a, height - b)})
+  for (const Point_3& p : {corner(a, b), corner(width - a, b), corner(width - a, height - b), corner(a, height - b)})
     with_hole.points.push_back(p);
   for (std::size_t i = 0; i < 4; ++i)
   {
@@ -354,8 +336,8 @@ void plates()
 }
 
 /// The largest distance during propagation, in builds of all kinds.
-void builds_of_all_kinds(const std::string& name, const test::Surface_mesh& mesh,
-                         const Face_location& source, const Face_location& other)
+void builds_of_all_kinds(const std::string& name, const test::Surface_mesh& mesh, const Face_location& source,
+                         const Face_location& other)
 {
   namespace parameters = CGAL::parameters;
   const auto wanted = parameters::compute_largest_distance(true);
@@ -365,8 +347,7 @@ void builds_of_all_kinds(const std::string& name, const test::Surface_mesh& mesh
   geodesic.add_source_point(source);
   const double full = farthest_point(geodesic, mesh).second;
   const double at_vertices = geodesic.largest_vertex_distance();
-  const auto check = [&](double expected)
-  { CHECK_CLOSE(error(), geodesic.largest_distance(), expected); };
+  const auto check = [&](double expected) { CHECK_CLOSE(error(), geodesic.largest_distance(), expected); };
 
   context("offsets");
   std::vector<Geodesic::Offset_curve> curves, again;
@@ -384,8 +365,7 @@ void builds_of_all_kinds(const std::string& name, const test::Surface_mesh& mesh
       if (limit < full)
       {
         geodesic.build(wanted.distance_limit(limit).keep_windows(keep));
-        CHECK_DETAIL(geodesic.largest_distance() == limit,
-                     values(geodesic.largest_distance(), limit));
+        CHECK_DETAIL(geodesic.largest_distance() == limit, values(geodesic.largest_distance(), limit));
         CHECK_THROWS(geodesic.farthest_point(), std::logic_error);
       }
     geodesic.build(wanted.distance_limit(1.001 * full).keep_windows(keep));
@@ -432,19 +412,20 @@ void builds_of_all_kinds(const std::string& name, const test::Surface_mesh& mesh
 void builds_of_all_kinds()
 {
   const std::pair<const char*, Soup> soups[] = {
-    {"jittered grid", jittered_grid(12, 9, 4)}, {"cube", cube_grid(5)},
-    {"icosphere", icosphere(3)},                {"torus", torus(24, 12)},
-    {"saddle", saddle_fan()},                   {"marching sphere", marching_sphere(8)}};
+    {"jittered grid", jittered_grid(12, 9, 4)},
+    {"cube", cube_grid(5)},
+    {"icosphere", icosphere(3)},
+    {"torus", torus(24, 12)},
+    {"saddle", saddle_fan()},
+    {"marching sphere", marching_sphere(8)}};
   for (const auto& soup : soups)
     for (unsigned seed = 1; seed <= 3; ++seed)
     {
       const Generated_mesh<test::Surface_mesh> data(rotated(soup.second, seed));
       Random random(seed);
-      const auto point = [&](bool is_vertex)
-      {
+      const auto point = [&](bool is_vertex) {
         const auto f = data.faces[uniform_index(random, data.faces.size())];
-        return Face_location(f, is_vertex ? std::array<double, 3>{{1, 0, 0}}
-                                          : random_barycentric(random));
+        return Face_location(f, is_vertex ? std::array<double, 3>{{1, 0, 0}} : random_barycentric(random));
       };
       builds_of_all_kinds(soup.first, data.mesh, point(seed == 1), point(seed == 2));
     }
@@ -454,8 +435,11 @@ void builds_of_all_kinds()
 void searched_faces()
 {
   const std::pair<const char*, Soup> soups[] = {
-    {"jittered grid", jittered_grid(90, 70, 4)}, {"grid", planar_grid(90, 70)}, {"icosphere", icosphere(5)},
-    {"torus", torus(120, 60)},                   {"genus 5", marching_genus_5(20)}};
+    {"jittered grid", jittered_grid(90, 70, 4)},
+    {"grid", planar_grid(90, 70)},
+    {"icosphere", icosphere(5)},
+    {"torus", torus(120, 60)},
+    {"genus 5", marching_genus_5(20)}};
   std::size_t searched = 0;
   for (const auto& soup : soups)
   {
@@ -469,8 +453,7 @@ void searched_faces()
       geodesic.build(CGAL::parameters::compute_largest_distance(true));
       searched += geodesic.statistics().faces_searched;
       CHECK_DETAIL(geodesic.statistics().faces_searched < data.faces.size() / 50,
-                   std::to_string(geodesic.statistics().faces_searched) + " of " +
-                     std::to_string(data.faces.size()));
+                   std::to_string(geodesic.statistics().faces_searched) + " of " + std::to_string(data.faces.size()));
     }
   }
   CHECK(searched > 0);
@@ -479,8 +462,7 @@ void searched_faces()
   const Generated_mesh<test::Surface_mesh> strip(planar_grid(1200, 20));
   std::vector<test::Surface_mesh::Edge_index> bottom;
   for (const auto e : strip.mesh.edges())
-    if (strip.mesh.point(strip.mesh.vertex(e, 0)).y() + strip.mesh.point(strip.mesh.vertex(e, 1)).y() == 0)
-      bottom.push_back(e);
+    if (strip.mesh.point(strip.mesh.vertex(e, 0)).y() + strip.mesh.point(strip.mesh.vertex(e, 1)).y() == 0) bottom.push_back(e);
   CHECK(bottom.size() == 1200);
   Geodesic geodesic(strip.mesh);
   geodesic.add_source_edges(bottom);
@@ -493,15 +475,13 @@ void searched_faces()
 void unreached_parts()
 {
   Report::instance().set_context("unreached parts");
-  const Generated_mesh<test::Surface_mesh> two(
-    []
-    {
-      Soup soup = planar_grid(2, 2), other = planar_grid(20, 20);
-      const std::size_t n = soup.points.size();
-      for (const Point_3& p : other.points) soup.points.push_back(p + Vector_3(9, 0, 0));
-      for (const auto& t : other.triangles) soup.add_triangle({{t[0] + n, t[1] + n, t[2] + n}});
-      return soup;
-    }());
+  const Generated_mesh<test::Surface_mesh> two([] {
+    Soup soup = planar_grid(2, 2), other = planar_grid(20, 20);
+    const std::size_t n = soup.points.size();
+    for (const Point_3& p : other.points) soup.points.push_back(p + Vector_3(9, 0, 0));
+    for (const auto& t : other.triangles) soup.add_triangle({{t[0] + n, t[1] + n, t[2] + n}});
+    return soup;
+  }());
   Geodesic geodesic(two.mesh);
   CHECK_THROWS(geodesic.farthest_point(), std::logic_error);
   CHECK_THROWS(geodesic.largest_vertex_distance(), std::logic_error);
@@ -515,8 +495,7 @@ void unreached_parts()
 
   geodesic.add_source_point(two.vertices[0]);
   CHECK_CLOSE(error(), farthest_point(geodesic, two.mesh).second, std::sqrt(8.));
-  const auto support =
-    Locations<test::Surface_mesh>(two.mesh).support(geodesic.farthest_point().first);
+  const auto support = Locations<test::Surface_mesh>(two.mesh).support(geodesic.farthest_point().first);
   CHECK(support.size() == 1 && support[0].first == two.vertices[8]);
   geodesic.build();
   CHECK_THROWS(geodesic.farthest_point(), std::logic_error);

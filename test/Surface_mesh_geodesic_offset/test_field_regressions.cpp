@@ -25,9 +25,7 @@ namespace test_field_regressions {
 
 using namespace test;
 
-typedef CGAL::Surface_mesh_geodesic_enclosure<
-  CGAL::Surface_mesh_geodesic_offset_traits<Kernel, test::Surface_mesh>>
-  Enclosure;
+typedef CGAL::Surface_mesh_geodesic_enclosure<CGAL::Surface_mesh_geodesic_offset_traits<Kernel, test::Surface_mesh>> Enclosure;
 typedef Geodesic::Face_location Face_location;
 typedef Generated_mesh<test::Surface_mesh> Data;
 typedef test::Locations<test::Surface_mesh> Locations;
@@ -35,13 +33,12 @@ typedef test::Locations<test::Surface_mesh> Locations;
 // A source on a vertex up to round-off, of either sign, is at that vertex (9646), in each of its faces.
 void source_at_vertex_up_to_rounding()
 {
-  for (const Soup& soup : {rotated(random_rectangle(2, 1, 100, 6, 1), 1), icosphere(2),
-                           saddle_fan(), Cone(8, 3 * CGAL_PI, 1).triangulated(20, 3, 3)})
+  for (const Soup& soup : {rotated(random_rectangle(2, 1, 100, 6, 1), 1), icosphere(2), saddle_fan(),
+                           Cone(8, 3 * CGAL_PI, 1).triangulated(20, 3, 3)})
   {
     const Data data(soup);
     const Locations locations(data.mesh);
-    for (std::size_t number = 0; number < data.vertices.size();
-         number += 1 + data.vertices.size() / 12)
+    for (std::size_t number = 0; number < data.vertices.size(); number += 1 + data.vertices.size() / 12)
     {
       const auto v = data.vertices[number];
       Geodesic exact(data.mesh);
@@ -51,14 +48,12 @@ void source_at_vertex_up_to_rounding()
         for (std::size_t turn = 0; turn < 4; ++turn)
         {
           Face_location location = locations.at_vertex(v, turn);
-          for (std::size_t k = 0; k < 3; ++k)
-            location.second[k] = location.second[k] == 1 ? 1 - 2 * off : off;
+          for (std::size_t k = 0; k < 3; ++k) location.second[k] = location.second[k] == 1 ? 1 - 2 * off : off;
           Geodesic geodesic(data.mesh);
           geodesic.add_source_point(location);
           geodesic.build();
           Worst_error worst(1e-12, bounding_box_diagonal(data.mesh));
-          for (auto w : data.vertices)
-            CHECK_CLOSE(worst, geodesic.distance_to_sources(w), exact.distance_to_sources(w));
+          for (auto w : data.vertices) CHECK_CLOSE(worst, geodesic.distance_to_sources(w), exact.distance_to_sources(w));
         }
     }
   }
@@ -68,15 +63,13 @@ void source_at_vertex_up_to_rounding()
 // edge. So source and query are the same.
 void located_up_to_rounding()
 {
-  for (const Soup& soup :
-       {rotated(random_rectangle(2, 1, 100, 6, 1), 1), icosphere(2), saddle_fan(), torus(12, 8)})
+  for (const Soup& soup : {rotated(random_rectangle(2, 1, 100, 6, 1), 1), icosphere(2), saddle_fan(), torus(12, 8)})
   {
     const Data data(soup);
     const Locations locations(data.mesh);
     Geodesic geodesic(data.mesh);
     Random random(1);
-    const auto nearly = [&](const Point_3& p)
-    {
+    const auto nearly = [&](const Point_3& p) {
       const double off = 2 * std::numeric_limits<double>::epsilon();
       return Point_3(p.x() + uniform(random, -off, off), p.y() + uniform(random, -off, off),
                      p.z() + uniform(random, -off, off));
@@ -95,8 +88,7 @@ void located_up_to_rounding()
       for (auto v : data.vertices)
       {
         CHECK(located.distance_to_sources(v) == exact.distance_to_sources(v));
-        CHECK(exact.distance_to_sources(geodesic.locate(nearly(data.mesh.point(v)))) ==
-              exact.distance_to_sources(v));
+        CHECK(exact.distance_to_sources(geodesic.locate(nearly(data.mesh.point(v)))) == exact.distance_to_sources(v));
       }
     }
     for (auto h : halfedges(data.mesh))
@@ -106,8 +98,7 @@ void located_up_to_rounding()
       const Face_location l = geodesic.locate(nearly(locations.point(on_edge)));
       const auto support = locations.support(l);
       CHECK(support.size() == 2);
-      for (const auto& s : support)
-        CHECK(s.first == source(h, data.mesh) || s.first == target(h, data.mesh));
+      for (const auto& s : support) CHECK(s.first == source(h, data.mesh) || s.first == target(h, data.mesh));
       CHECK(distance(locations.point(l), locations.point(on_edge)) <= 1e-14);
     }
     for (auto f : data.faces)
@@ -123,8 +114,8 @@ void located_up_to_rounding()
 // vertices; between disconnected parts there is none.
 void paths_near_sources()
 {
-  for (const Soup& soup : {rotated(random_rectangle(2, 1, 60, 5, 9), 9), icosphere(2),
-                           Cone(8, 3 * CGAL_PI, 1).triangulated(20, 3, 3)})
+  for (const Soup& soup :
+       {rotated(random_rectangle(2, 1, 60, 5, 9), 9), icosphere(2), Cone(8, 3 * CGAL_PI, 1).triangulated(20, 3, 3)})
   {
     const Data data(soup);
     Path_checker check(data.mesh);
@@ -144,8 +135,7 @@ void paths_near_sources()
         CHECK(geodesic.distance_to_sources(same) <= 1e-15); // 1 - t is rounded
         for (auto v : check.locations.corners(f))
         {
-          const bool is_it = check.locations.support(source).size() == 1 &&
-                             check.locations.support(source).front().first == v;
+          const bool is_it = check.locations.support(source).size() == 1 && check.locations.support(source).front().first == v;
           CHECK(check(geodesic, v).size() == (is_it ? 1 : 2));
         }
         const Face_location near(f, random_barycentric(random));
@@ -169,7 +159,8 @@ void empty_and_duplicate()
       geodesic.add_source_polyline(std::vector<Face_location>(), closed);
     }
     catch (const std::invalid_argument&) // rejecting an empty polyline is as good as ignoring it
-    {}
+    {
+    }
     geodesic.build();
     for (auto v : data.vertices) CHECK(geodesic.distance_to_sources(v) == infinity);
     const Face_location point(data.faces[5], {{0.2, 0.3, 0.5}});
@@ -219,8 +210,7 @@ void adjacent_and_border_sources()
     {
       double expected = infinity;
       for (std::size_t s : sources)
-        expected =
-          (std::min)(expected, std::sqrt(CGAL::squared_distance(soup.points[v], soup.points[s])));
+        expected = (std::min)(expected, std::sqrt(CGAL::squared_distance(soup.points[v], soup.points[s])));
       CHECK_CLOSE(worst, geodesic.distance_to_sources(data.vertices[v]), expected);
     }
   }
@@ -233,8 +223,7 @@ void many_sources_on_saddles()
   const Data data(marching_genus_5(10));
   Random random(4);
   std::vector<test::Surface_mesh::Vertex_index> sources;
-  for (std::size_t i = 0; i < 12; ++i)
-    sources.push_back(data.vertices[uniform_index(random, data.vertices.size())]);
+  for (std::size_t i = 0; i < 12; ++i) sources.push_back(data.vertices[uniform_index(random, data.vertices.size())]);
   std::vector<double> expected(data.vertices.size(), infinity);
   Geodesic all(data.mesh);
   for (auto s : sources)
@@ -248,8 +237,7 @@ void many_sources_on_saddles()
   }
   all.build();
   Worst_error worst(1e-12, bounding_box_diagonal(data.mesh));
-  for (std::size_t i = 0; i < expected.size(); ++i)
-    CHECK_CLOSE(worst, all.distance_to_sources(data.vertices[i]), expected[i]);
+  for (std::size_t i = 0; i < expected.size(); ++i) CHECK_CLOSE(worst, all.distance_to_sources(data.vertices[i]), expected[i]);
 }
 
 // Isolated vertices do not cause crashes (5280), also as sources.
@@ -281,7 +269,8 @@ void isolated_vertices()
     CHECK(geodesic.distance_to_sources(data.vertices.front()) == 0);
   }
   catch (const std::invalid_argument&) // may be rejected
-  {}
+  {
+  }
   CHECK(geodesic.distance_to_sources(data.vertices.back()) == infinity);
 }
 
@@ -291,8 +280,7 @@ void disconnected_parts()
   Soup soup = icosphere(1);
   const std::size_t sphere = soup.points.size();
   const Soup other = torus(12, 8, 5, 1);
-  for (const auto& t : other.triangles)
-    soup.add_triangle({{t[0] + sphere, t[1] + sphere, t[2] + sphere}});
+  for (const auto& t : other.triangles) soup.add_triangle({{t[0] + sphere, t[1] + sphere, t[2] + sphere}});
   soup.points.insert(soup.points.end(), other.points.begin(), other.points.end());
   const Data data(soup);
   Path_checker check(data.mesh);
@@ -340,11 +328,10 @@ void source_and_query_on_one_edge()
     for (double t : {0., 0.1, 0.3, 0.5, 1.})
     {
       Face_location query = locations.on_edge(h, t);
-      const double expected =
-        std::sqrt(CGAL::squared_distance(locations.point(source), locations.point(query)));
+      const double expected = std::sqrt(CGAL::squared_distance(locations.point(source), locations.point(query)));
       CHECK_CLOSE(worst, geodesic.distance_to_sources(query), expected);
       CHECK(check(geodesic, query).size() == (t == 0.3 ? 1 : 2)); // along the edge
-      for (auto f : locations.incident_faces(query)) // in every incident face
+      for (auto f : locations.incident_faces(query))              // in every incident face
       {
         Face_location other(f, {{0, 0, 0}});
         locations.express(query, f, other.second);
@@ -352,9 +339,8 @@ void source_and_query_on_one_edge()
       }
     }
     const Face_location inside(face(h, data.mesh), random_barycentric(random));
-    CHECK_CLOSE(
-      worst, geodesic.distance_to_sources(inside),
-      std::sqrt(CGAL::squared_distance(locations.point(source), locations.point(inside))));
+    CHECK_CLOSE(worst, geodesic.distance_to_sources(inside),
+                std::sqrt(CGAL::squared_distance(locations.point(source), locations.point(inside))));
   }
   for (auto h : halfedges(data.mesh)) // border edges, source far away
     if (is_border(opposite(h, data.mesh), data.mesh))
@@ -365,8 +351,7 @@ void source_and_query_on_one_edge()
       const Face_location query = locations.on_edge(h, 0.37);
       Worst_error worst(1e-12, 2);
       CHECK_CLOSE(worst, geodesic.distance_to_sources(query),
-                  std::sqrt(CGAL::squared_distance(data.mesh.point(data.vertices[20]),
-                                                   locations.point(query))));
+                  std::sqrt(CGAL::squared_distance(data.mesh.point(data.vertices[20]), locations.point(query))));
       check(geodesic, query);
       check(geodesic, source(h, data.mesh));
     }
@@ -386,8 +371,7 @@ void check_moved(const Data& data, const Soup& soup, Moved& geodesic)
     CHECK_CLOSE(worst, geodesic.distance_to_sources(geodesic.locate(soup.points[i])), expected);
     std::vector<Point_3> path;
     geodesic.shortest_path_points_to_sources(data.vertices[i], std::back_inserter(path));
-    CHECK(!path.empty() && distance(path.front(), soup.points[i]) <= 1e-14 &&
-          distance(path.back(), soup.points[7]) <= 1e-14);
+    CHECK(!path.empty() && distance(path.front(), soup.points[i]) <= 1e-14 && distance(path.back(), soup.points[7]) <= 1e-14);
     double length = 0;
     for (std::size_t k = 0; k + 1 < path.size(); ++k) length += distance(path[k], path[k + 1]);
     CHECK_CLOSE(worst, length, expected);
@@ -409,18 +393,17 @@ void custom_point_map()
     points[v] = data.mesh.point(v);
     data.mesh.point(v) = Point_3(0, 0, 0);
   }
-  typedef boost::property_map<test::Surface_mesh, boost::vertex_index_t>::const_type
-    Vertex_index_map;
+  typedef boost::property_map<test::Surface_mesh, boost::vertex_index_t>::const_type Vertex_index_map;
   typedef boost::property_map<test::Surface_mesh, boost::face_index_t>::const_type Face_index_map;
   typedef test::Surface_mesh::Property_map<Vertex_index, Point_3> Point_map;
   typedef CGAL::Surface_mesh_geodesic_offset_traits<Kernel, test::Surface_mesh> Traits;
-  CGAL::Surface_mesh_geodesic_offset<Traits, Vertex_index_map, Face_index_map, Point_map>
-    with_all_maps(data.mesh, CGAL::parameters::vertex_index_map(get(boost::vertex_index, data.mesh))
-                               .face_index_map(get(boost::face_index, data.mesh))
-                               .vertex_point_map(points));
+  CGAL::Surface_mesh_geodesic_offset<Traits, Vertex_index_map, Face_index_map, Point_map> with_all_maps(
+    data.mesh, CGAL::parameters::vertex_index_map(get(boost::vertex_index, data.mesh))
+                 .face_index_map(get(boost::face_index, data.mesh))
+                 .vertex_point_map(points));
   check_moved(data, soup, with_all_maps);
-  CGAL::Surface_mesh_geodesic_offset<Traits, CGAL::Default, CGAL::Default, Point_map>
-    with_point_map(data.mesh, CGAL::parameters::vertex_point_map(points));
+  CGAL::Surface_mesh_geodesic_offset<Traits, CGAL::Default, CGAL::Default, Point_map> with_point_map(
+    data.mesh, CGAL::parameters::vertex_point_map(points));
   check_moved(data, soup, with_point_map);
 }
 
@@ -439,8 +422,7 @@ void short_segments()
       if (generator.locations().support(l).size() < 3) // keep the next location in a common face
         continue;
       for (double off : {0., 1e-17, 1e-13, 1e-9})
-        with_short.push_back(Face_location(
-          l.first, {{l.second[0] - off, l.second[1] + off / 2, l.second[2] + off / 2}}));
+        with_short.push_back(Face_location(l.first, {{l.second[0] - off, l.second[1] + off / 2, l.second[2] + off / 2}}));
       with_short.push_back(l);
     }
     Geodesic geodesic(data.mesh);
@@ -450,12 +432,10 @@ void short_segments()
     {
       const Leg target = generator.leg_at(generator.locations().at_vertex(data.vertices[i]));
       double expected = infinity;
-      for (const Leg& leg : path.legs)
-        expected = (std::min)(expected, segment_distance(target.a, leg.a, leg.b));
+      for (const Leg& leg : path.legs) expected = (std::min)(expected, segment_distance(target.a, leg.a, leg.b));
       // Short segments are displaced by up to 1e-9 of a face from the path.
       const double actual = geodesic.distance_to_sources(data.vertices[i]);
-      CHECK_DETAIL(actual <= expected + 1e-14 && actual >= expected - 2e-9,
-                   values(actual, expected));
+      CHECK_DETAIL(actual <= expected + 1e-14 && actual >= expected - 2e-9, values(actual, expected));
     }
   }
 }
@@ -470,8 +450,7 @@ void many_sources()
   geodesic.build();
   Worst_error worst(1e-12, 0);
   for (std::size_t i = 0; i < data.vertices.size(); ++i)
-    CHECK_CLOSE(worst, geodesic.distance_to_sources(data.vertices[i]),
-                static_cast<double>(i % (n + 1)));
+    CHECK_CLOSE(worst, geodesic.distance_to_sources(data.vertices[i]), static_cast<double>(i % (n + 1)));
 }
 
 // Marching-cubes meshes with faces of size 1e-7 next to faces of size 0.1 give no infinite distance (pygeodesic 14), and
@@ -492,9 +471,9 @@ void tiny_and_needle_faces()
     const std::size_t n = data.vertices.size();
     const double diagonal = bounding_box_diagonal(data.mesh);
     const double rounding = 16 * std::numeric_limits<double>::epsilon() * diagonal;
-    const auto straight =
-      [&](test::Surface_mesh::Vertex_index u, test::Surface_mesh::Vertex_index v)
-    { return std::sqrt(CGAL::squared_distance(data.mesh.point(u), data.mesh.point(v))); };
+    const auto straight = [&](test::Surface_mesh::Vertex_index u, test::Surface_mesh::Vertex_index v) {
+      return std::sqrt(CGAL::squared_distance(data.mesh.point(u), data.mesh.point(v)));
+    };
     std::vector<std::vector<double>> distances; // from i to j
     for (std::size_t i = 0; i < n; ++i)
     {
@@ -513,8 +492,7 @@ void tiny_and_needle_faces()
       {
         const auto u = data.mesh.vertex(e, 0), v = data.mesh.vertex(e, 1);
         const double d_u = geodesic.distance_to_sources(u), d_v = geodesic.distance_to_sources(v);
-        const double allowed =
-          straight(u, v) + 1e-12 * (std::max)(d_u, d_v) + rounding; // of distances accurate to 1e-12
+        const double allowed = straight(u, v) + 1e-12 * (std::max)(d_u, d_v) + rounding; // of distances accurate to 1e-12
         CHECK_DETAIL(std::abs(d_u - d_v) <= allowed, values(d_u, d_v));
       }
     }
@@ -528,11 +506,10 @@ void tiny_and_needle_faces()
 // Paths between all vertices of small meshes and from any points: none empty, all as long as the distance.
 void paths_over_tiny_and_needle_faces()
 {
-  const std::pair<const char*, Soup> meshes[] = {
-    {"marching sphere, 4 cells", marching_sphere(4)},
-    {"marching sphere, 12 cells", rotated(marching_sphere(12), 3)},
-    {"needle rectangle", rotated(random_rectangle(1, 1e-6, 80, 8, 8), 8)},
-    {"needle fan", needle_fan(300)}};
+  const std::pair<const char*, Soup> meshes[] = {{"marching sphere, 4 cells", marching_sphere(4)},
+                                                 {"marching sphere, 12 cells", rotated(marching_sphere(12), 3)},
+                                                 {"needle rectangle", rotated(random_rectangle(1, 1e-6, 80, 8, 8), 8)},
+                                                 {"needle fan", needle_fan(300)}};
   for (const auto& mesh : meshes)
   {
     Report::instance().set_context(std::string("paths over tiny and needle faces, ") + mesh.first);
@@ -557,8 +534,7 @@ void paths_over_tiny_and_needle_faces()
         CHECK(!check(geodesic, random_location(check.locations, data.mesh, random, i % 3)).empty());
     }
     std::cout << Report::instance().context() << ": " << check.totals.paths
-              << " paths, worst difference of length and distance " << check.totals.worst_length
-              << std::endl;
+              << " paths, worst difference of length and distance " << check.totals.worst_length << std::endl;
   }
 }
 
@@ -574,9 +550,8 @@ void vertices_hidden_by_rounding()
       Path_checker check(data.mesh);
       for (std::size_t i = 0; i < data.vertices.size(); i += 7)
       {
-        Report::instance().set_context("crumpled needles, seed " + std::to_string(seed) + ", 1 : " +
-                                       std::to_string(1 / thickness) + ", from " +
-                                       std::to_string(i));
+        Report::instance().set_context("crumpled needles, seed " + std::to_string(seed) +
+                                       ", 1 : " + std::to_string(1 / thickness) + ", from " + std::to_string(i));
         Enclosure enclosure(data.mesh);
         Geodesic geodesic(data.mesh), approximation(data.mesh);
         enclosure.add_source_point(data.vertices[i]);
@@ -592,8 +567,7 @@ void vertices_hidden_by_rounding()
           const double longer = bounds.second * (1 + 1e-12);
           CHECK_DETAIL(d >= bounds.first * (1 - 1e-12) && d <= longer, values(d, bounds.second));
           const double a = approximation.distance_to_sources(v);
-          CHECK_DETAIL(a >= bounds.first * (1 - tolerance) && a <= longer,
-                       values(a, bounds.second));
+          CHECK_DETAIL(a >= bounds.first * (1 - tolerance) && a <= longer, values(a, bounds.second));
           CHECK(!check(geodesic, v, false).empty());
         }
       }
@@ -641,14 +615,11 @@ void polyline_over_tiny_faces()
   {
     const auto sections = random_plane_section(data.mesh, seed);
     Geodesic geodesic(data.mesh);
-    for (const auto& section : sections)
-      geodesic.add_source_polyline(section.locations, section.closed);
+    for (const auto& section : sections) geodesic.add_source_polyline(section.locations, section.closed);
     geodesic.build(CGAL::parameters::keep_windows(true));
-    for (auto v : data.vertices)
-      CHECK(std::isfinite(geodesic.distance_to_sources(v)) && geodesic.distance_to_sources(v) >= 0);
+    for (auto v : data.vertices) CHECK(std::isfinite(geodesic.distance_to_sources(v)) && geodesic.distance_to_sources(v) >= 0);
     for (const auto& section : sections)
-      for (const Face_location& l : section.locations)
-        CHECK(geodesic.distance_to_sources(l) <= 1e-12);
+      for (const Face_location& l : section.locations) CHECK(geodesic.distance_to_sources(l) <= 1e-12);
   }
 }
 
@@ -656,12 +627,12 @@ void polyline_over_tiny_faces()
 void source_near_tip_of_spike()
 {
   Soup soup;
-  soup.points = {Point_3(0, 0, 18), Point_3(1, 0.4, 0), Point_3(0, 1, 0), Point_3(0, 1, -1), Point_3(-1, 0, 0),
-                 Point_3(-1, 0, -0.1), Point_3(0, -1, 2), Point_3(0, -1, 0), Point_3(1, 0, 0), Point_3(2, 0, 0),
-                 Point_3(-1, -1, 0), Point_3(0, -2, 0), Point_3(1, -1, 0)};
+  soup.points = {Point_3(0, 0, 18),    Point_3(1, 0.4, 0), Point_3(0, 1, 0),  Point_3(0, 1, -1), Point_3(-1, 0, 0),
+                 Point_3(-1, 0, -0.1), Point_3(0, -1, 2),  Point_3(0, -1, 0), Point_3(1, 0, 0),  Point_3(2, 0, 0),
+                 Point_3(-1, -1, 0),   Point_3(0, -2, 0),  Point_3(1, -1, 0)};
   const std::vector<std::array<std::size_t, 3>> triangles = {
-    {{0, 1, 2}}, {{0, 2, 3}}, {{0, 3, 4}}, {{0, 4, 5}}, {{0, 5, 6}}, {{0, 6, 7}}, {{6, 10, 11}}, {{0, 7, 8}},
-    {{7, 12, 8}}, {{7, 11, 12}}, {{0, 8, 1}}, {{8, 9, 1}}, {{8, 12, 9}}};
+    {{0, 1, 2}}, {{0, 2, 3}},  {{0, 3, 4}},   {{0, 4, 5}}, {{0, 5, 6}}, {{0, 6, 7}}, {{6, 10, 11}},
+    {{0, 7, 8}}, {{7, 12, 8}}, {{7, 11, 12}}, {{0, 8, 1}}, {{8, 9, 1}}, {{8, 12, 9}}};
   for (const auto& t : triangles) soup.add_triangle(t);
   const Data data(soup);
   const Locations locations(data.mesh);
@@ -680,16 +651,32 @@ void source_near_tip_of_spike()
 void segment_along_edge_and_others()
 {
   Soup soup;
-  soup.points = {Point_3(0, 0, 0), Point_3(0.3, 0, 0), Point_3(0.7, 0, 0), Point_3(1, 0, 0), Point_3(0, 0.3, 0),
-                 Point_3(0.4, 0.3, 0), Point_3(0.7, 0.3, 0), Point_3(1, 0.2, 0), Point_3(0, 0.5, 0),
-                 Point_3(0.4, 0.5, 0), Point_3(0.6, 0.5, 0), Point_3(1, 0.5, 0), Point_3(0, 0.69091473391618885, 0),
-                 Point_3(0.4, 0.7, 0), Point_3(0.7, 0.7, 0), Point_3(1, 0.7, 0), Point_3(0, 1, 0),
-                 Point_3(0.30261762537297282, 1, 0), Point_3(0.6, 1, 0), Point_3(1, 1, 0)};
+  soup.points = {
+    Point_3(0, 0, 0),
+    Point_3(0.3, 0, 0),
+    Point_3(0.7, 0, 0),
+    Point_3(1, 0, 0),
+    Point_3(0, 0.3, 0),
+    Point_3(0.4, 0.3, 0),
+    Point_3(0.7, 0.3, 0),
+    Point_3(1, 0.2, 0),
+    Point_3(0, 0.5, 0),
+    Point_3(0.4, 0.5, 0),
+    Point_3(0.6, 0.5, 0),
+    Point_3(1, 0.5, 0),
+    Point_3(0, 0.69091473391618885, 0),
+    Point_3(0.4, 0.7, 0),
+    Point_3(0.7, 0.7, 0),
+    Point_3(1, 0.7, 0),
+    Point_3(0, 1, 0),
+    Point_3(0.30261762537297282, 1, 0),
+    Point_3(0.6, 1, 0),
+    Point_3(1, 1, 0)};
   const std::vector<std::array<std::size_t, 3>> triangles = {
-    {{0, 1, 4}}, {{1, 5, 4}}, {{1, 2, 6}}, {{1, 6, 5}}, {{2, 3, 6}}, {{3, 7, 6}}, {{4, 5, 8}}, {{5, 9, 8}},
-    {{5, 6, 10}}, {{5, 10, 9}}, {{6, 7, 11}}, {{6, 11, 10}}, {{8, 9, 13}}, {{8, 13, 12}}, {{9, 10, 13}},
-    {{10, 14, 13}}, {{10, 11, 15}}, {{10, 15, 14}}, {{17, 12, 13}}, {{17, 16, 12}}, {{13, 14, 18}}, {{13, 18, 17}},
-    {{14, 15, 18}}, {{15, 19, 18}}};
+    {{0, 1, 4}},    {{1, 5, 4}},    {{1, 2, 6}},    {{1, 6, 5}},    {{2, 3, 6}},    {{3, 7, 6}},
+    {{4, 5, 8}},    {{5, 9, 8}},    {{5, 6, 10}},   {{5, 10, 9}},   {{6, 7, 11}},   {{6, 11, 10}},
+    {{8, 9, 13}},   {{8, 13, 12}},  {{9, 10, 13}},  {{10, 14, 13}}, {{10, 11, 15}}, {{10, 15, 14}},
+    {{17, 12, 13}}, {{17, 16, 12}}, {{13, 14, 18}}, {{13, 18, 17}}, {{14, 15, 18}}, {{15, 19, 18}}};
   for (const auto& t : triangles) soup.add_triangle(t);
   const std::size_t face = 19; // with the vertices 17, 16 and 12
   const Data data(soup);
@@ -697,12 +684,15 @@ void segment_along_edge_and_others()
   Geodesic geodesic(data.mesh);
   std::vector<Face_location> polyline;
   for (const std::array<double, 3>& weights :
-       {std::array<double, 3>{{0, 0.01, 0.99}}, {{0.5, 0, 0.5}}, {{0.10784529595969239, 0, 0.89215470404030761}},
+       {std::array<double, 3>{{0, 0.01, 0.99}},
+        {{0.5, 0, 0.5}},
+        {{0.10784529595969239, 0, 0.89215470404030761}},
         {{0.96712473359644213, 0.032875266403557923, 0}}})
     polyline.push_back(locations.in_triangle(data, soup, face, weights));
   geodesic.add_source_polyline(polyline);
   geodesic.build();
-  const Point_3 p = data.mesh.point(data.vertices[12]), q = data.mesh.point(data.vertices[17]), r = data.mesh.point(data.vertices[9]);
+  const Point_3 p = data.mesh.point(data.vertices[12]), q = data.mesh.point(data.vertices[17]),
+                r = data.mesh.point(data.vertices[9]);
   const double x = q.x() - p.x(), y = q.y() - p.y();
   const double expected = std::abs(x * (r.y() - p.y()) - y * (r.x() - p.x())) / std::hypot(x, y); // from the edge's line
   CHECK(std::abs(geodesic.distance_to_sources(data.vertices[9]) - expected) <= 1e-14);
@@ -770,8 +760,7 @@ void not_a_number()
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const Face_location bad(data.faces[0], {{nan, 0.5, 0.5}});
   CHECK_THROWS(geodesic.add_source_point(bad), std::invalid_argument);
-  CHECK_THROWS(geodesic.add_source_polyline(std::vector<Face_location>{bad, bad}),
-               std::invalid_argument);
+  CHECK_THROWS(geodesic.add_source_polyline(std::vector<Face_location>{bad, bad}), std::invalid_argument);
   CHECK(geodesic.number_of_sources() == 0);
 }
 
@@ -814,8 +803,7 @@ GEODESIC_OFFSET_TEST(test_field_regressions)
     {
       CHECK_DETAIL(!"an exception was thrown", e.what());
     }
-    std::cout << test.first << ": "
-              << (Report::instance().failures() == failures ? "passed" : "FAILED") << std::endl;
+    std::cout << test.first << ": " << (Report::instance().failures() == failures ? "passed" : "FAILED") << std::endl;
   }
   return Report::instance().finish("test_field_regressions");
 }

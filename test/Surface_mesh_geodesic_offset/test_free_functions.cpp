@@ -187,8 +187,7 @@ void parameters()
 /// Whether a field has the distances of a build from a vertex alone.
 bool is_from(const Geodesic::Field& field, Vertex_index v)
 {
-  return field.is_built() && field.distance_to_sources(v) == 0 &&
-         field.distance_to_sources(location(200, 0.2, 0.3)) > 0;
+  return field.is_built() && field.distance_to_sources(v) == 0 && field.distance_to_sources(location(200, 0.2, 0.3)) > 0;
 }
 
 void fields()

@@ -39,27 +39,24 @@ struct Face_axes
 
 // At the midpoint of a long piece, which is far from ties, the gradient is orthogonal to the piece, and so is the start of
 // the path.
-void check_piece(const Geodesic& geodesic, Path_checker& checker, const test::Surface_mesh& mesh,
-                 const Offset_piece& piece, Totals& totals)
+void check_piece(const Geodesic& geodesic, Path_checker& checker, const test::Surface_mesh& mesh, const Offset_piece& piece,
+                 Totals& totals)
 {
   const Face_location middle = piece.location(0.5);
   const Point_2 p = piece.point_2(0.5);
-  const Vector_2 along = piece.is_arc()
-                           ? Vector_2(-(p - piece.center()).y(), (p - piece.center()).x())
-                           : piece.end_2() - piece.start_2();
+  const Vector_2 along =
+    piece.is_arc() ? Vector_2(-(p - piece.center()).y(), (p - piece.center()).x()) : piece.end_2() - piece.start_2();
   const Vector_3 tangent = unit(Face_axes(mesh, piece.face())(along));
-  const Vector_3 outwards =
-    unit(Face_axes(mesh, piece.face())(Vector_2(along.y(), -along.x()))); // source on the left
+  const Vector_3 outwards = unit(Face_axes(mesh, piece.face())(Vector_2(along.y(), -along.x()))); // source on the left
   const Vector_3 gradient = geodesic.gradient(middle);
-  CHECK_DETAIL(std::abs(gradient.squared_length() - 1) <= 1e-12,
-               values(gradient.squared_length(), 1));
+  CHECK_DETAIL(std::abs(gradient.squared_length() - 1) <= 1e-12, values(gradient.squared_length(), 1));
   CHECK(gradient * outwards > 0.5);
   CHECK(checker.out_of_plane(gradient, piece.face()) <= 1e-12);
   totals.orthogonality = (std::max)(totals.orthogonality, std::abs(gradient * tangent));
   CHECK_DETAIL(std::abs(gradient * tangent) <= 1e-9, values(gradient * tangent, 0));
   const auto nearest = geodesic.nearest_source(middle);
-  CHECK(nearest && nearest->source == piece.source() &&
-        nearest->is_segment == piece.is_nearest_to_segment() && nearest->side == piece.side());
+  CHECK(nearest && nearest->source == piece.source() && nearest->is_segment == piece.is_nearest_to_segment() &&
+        nearest->side == piece.side());
   const Path_locations path = checker(geodesic, middle);
   ++totals.pieces;
   const Vector_3 start = checker.point(path.at(1)) - checker.point(path[0]);
@@ -69,8 +66,8 @@ void check_piece(const Geodesic& geodesic, Path_checker& checker, const test::Su
 
 // Inside a face, away from ties, where it is not differentiable, the distance has derivative 1 along the gradient and 0
 // orthogonal to it.
-void check_differences(const Geodesic& geodesic, const Mesh_locations& locations,
-                       const test::Surface_mesh& mesh, const Face_location& l, Totals& totals)
+void check_differences(const Geodesic& geodesic, const Mesh_locations& locations, const test::Surface_mesh& mesh,
+                       const Face_location& l, Totals& totals)
 {
   const Face_axes axes(mesh, l.first);
   const auto corners = locations.corners(l.first);
@@ -78,8 +75,7 @@ void check_differences(const Geodesic& geodesic, const Mesh_locations& locations
   const Vector_3 e = mesh.point(corners[1]) - o, g = mesh.point(corners[2]) - o;
   const double ex = e * axes.x, gx = g * axes.x, gy = g * axes.y, h = 1e-4 * gy;
   const Vector_3 gradient = geodesic.gradient(l);
-  const auto moved = [&](const Vector_3& v, double by)
-  {
+  const auto moved = [&](const Vector_3& v, double by) {
     const double x = by * (v * axes.x), y = by * (v * axes.y);
     const double w2 = y / gy, w1 = (x - w2 * gx) / ex;
     return Face_location(l.first, {{l.second[0] - w1 - w2, l.second[1] + w1, l.second[2] + w2}});
@@ -106,11 +102,9 @@ void check_differences(const Geodesic& geodesic, const Mesh_locations& locations
 }
 
 // From plane sections, or from a few points.
-void run(const std::string& name, const test::Surface_mesh& mesh, unsigned seed, bool polylines,
-         Totals& totals)
+void run(const std::string& name, const test::Surface_mesh& mesh, unsigned seed, bool polylines, Totals& totals)
 {
-  Report::instance().set_context(name + (polylines ? ", sections" : ", points") + ", seed " +
-                                 std::to_string(seed));
+  Report::instance().set_context(name + (polylines ? ", sections" : ", points") + ", seed " + std::to_string(seed));
   Random random(seed);
   Path_checker checker(mesh);
   const Mesh_locations& locations = checker.locations;
@@ -118,8 +112,7 @@ void run(const std::string& name, const test::Surface_mesh& mesh, unsigned seed,
   if (polylines)
     for (const auto& section : random_plane_section(mesh, seed))
       geodesic.add_source_polyline(section.locations, section.closed);
-  for (std::size_t i = 0; !polylines && i < 3; ++i)
-    geodesic.add_source_point(random_location(locations, mesh, random, i));
+  for (std::size_t i = 0; !polylines && i < 3; ++i) geodesic.add_source_point(random_location(locations, mesh, random, i));
   geodesic.build(CGAL::parameters::keep_windows(true));
 
   double largest = 0;
@@ -132,22 +125,18 @@ void run(const std::string& name, const test::Surface_mesh& mesh, unsigned seed,
     const auto nearest = geodesic.nearest_source(v);
     CHECK(nearest && (gradient == CGAL::NULL_VECTOR) == (d == 0));
     if (d == 0) continue;
-    CHECK_DETAIL(std::abs(gradient.squared_length() - 1) <= 1e-12,
-                 values(gradient.squared_length(), 1));
+    CHECK_DETAIL(std::abs(gradient.squared_length() - 1) <= 1e-12, values(gradient.squared_length(), 1));
     double off = infinity; // in the plane of one of the faces
     for (Face_index f : locations.incident_faces(locations.at_vertex(v)))
       off = (std::min)(off, checker.out_of_plane(gradient, f));
     CHECK_DETAIL(off <= 1e-12, values(off, 0));
   }
   for (int i = 0; i < 100; ++i)
-    check_differences(geodesic, locations, mesh, random_location(locations, mesh, random, 0),
-                      totals);
+    check_differences(geodesic, locations, mesh, random_location(locations, mesh, random, 0), totals);
   for (double part : {0.05, 0.31, 0.77})
     for (const Offset_curve& curve : offsets(geodesic, part * largest))
-      for (std::size_t i = 0; i < curve.number_of_pieces();
-           i += 1 + uniform_index(random, 1 + curve.number_of_pieces() / 30))
-        if (curve.piece(i).length() > 1e-3 * checker.mean_edge)
-          check_piece(geodesic, checker, mesh, curve.piece(i), totals);
+      for (std::size_t i = 0; i < curve.number_of_pieces(); i += 1 + uniform_index(random, 1 + curve.number_of_pieces() / 30))
+        if (curve.piece(i).length() > 1e-3 * checker.mean_edge) check_piece(geodesic, checker, mesh, curve.piece(i), totals);
 }
 
 } // namespace test_gradient
@@ -156,8 +145,7 @@ GEODESIC_OFFSET_TEST(test_gradient)
 {
   std::cout.precision(3);
   Totals totals;
-  const auto run_all = [&](const std::string& name, const test::Surface_mesh& mesh)
-  {
+  const auto run_all = [&](const std::string& name, const test::Surface_mesh& mesh) {
     for (unsigned seed : {1u, 2u, 3u}) try
       {
         run(name, mesh, seed, seed != 3, totals);
@@ -176,20 +164,18 @@ GEODESIC_OFFSET_TEST(test_gradient)
     {"cone of 1.5 turns", Cone(8, 3 * CGAL_PI, 1).triangulated(30, 4, 5)},
     {"L", l_shape(80, 5, 8)}};
   if (mesh_kinds().generated)
-    for (const auto& soup : generated)
-      run_all(soup.first, Generated_mesh<test::Surface_mesh>(rotated(soup.second, 5)).mesh);
+    for (const auto& soup : generated) run_all(soup.first, Generated_mesh<test::Surface_mesh>(rotated(soup.second, 5)).mesh);
   for (const char* name : {"anchor.off", "elephant.off", "mesh_with_border.off"})
   {
     test::Surface_mesh mesh;
-    const std::string reason =
-      read_data_mesh(std::filesystem::path(data_directory()) / name, 10000, mesh);
+    const std::string reason = read_data_mesh(std::filesystem::path(data_directory()) / name, 10000, mesh);
     if (reason.empty()) run_all(name, mesh);
     else std::cout << name << ": skipped, " << reason << std::endl;
   }
   // Only a few points may be near ties.
   if (totals.differences > 0) CHECK(totals.kinks * 20 <= totals.differences);
-  std::cout << totals.pieces << " pieces, worst cosine " << totals.orthogonality
-            << "; finite differences at " << totals.differences << " points, worst error "
-            << totals.difference << ", and " << totals.kinks << " near kinks" << std::endl;
+  std::cout << totals.pieces << " pieces, worst cosine " << totals.orthogonality << "; finite differences at "
+            << totals.differences << " points, worst error " << totals.difference << ", and " << totals.kinks << " near kinks"
+            << std::endl;
   return Report::instance().finish("test_gradient");
 }

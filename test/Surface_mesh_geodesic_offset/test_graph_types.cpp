@@ -50,10 +50,7 @@ auto points_of(const Graph& graph)
 {
   return get(CGAL::vertex_point, graph);
 }
-inline mesh_archetype::Point_map points_of(const mesh_archetype::Mesh& mesh)
-{
-  return {&mesh};
-}
+inline mesh_archetype::Point_map points_of(const mesh_archetype::Mesh& mesh) { return {&mesh}; }
 
 // Found by the type of the graph alone; CGAL has no overload for the archetype.
 template <class Graph>
@@ -99,12 +96,10 @@ struct Numbered
     for (face_descriptor f : faces_of(graph))
     {
       std::set<Point_3> corners;
-      for (vertex_descriptor v : CGAL::vertices_around_face(halfedge(f, graph), graph))
-        corners.insert(get(points, v));
+      for (vertex_descriptor v : CGAL::vertices_around_face(halfedge(f, graph), graph)) corners.insert(get(points, v));
       face_at[corners] = f;
     }
-    for (const auto& t : soup.triangles)
-      faces.push_back(face_at.at({soup.points[t[0]], soup.points[t[1]], soup.points[t[2]]}));
+    for (const auto& t : soup.triangles) faces.push_back(face_at.at({soup.points[t[0]], soup.points[t[1]], soup.points[t[2]]}));
   }
 
   const Graph& graph;
@@ -159,8 +154,7 @@ Mesh with_garbage(const Soup& soup)
   Mesh mesh;
   std::vector<Vertex_index> vertices;
   std::vector<Face_index> removed;
-  const auto add_garbage = [&](double x)
-  {
+  const auto add_garbage = [&](double x) {
     const Vertex_index a = mesh.add_vertex(Point_3(x, 90, 0)), b = mesh.add_vertex(Point_3(x, 91, 0)),
                        c = mesh.add_vertex(Point_3(x, 90, 1));
     removed.push_back(mesh.add_face(a, b, c));
@@ -290,7 +284,8 @@ void seams(Worst_error& worst)
   for (const auto v : CGAL::vertices(seam_mesh))
   {
     CHECK_CLOSE(worst, on_seams.distance_to_sources(v), on_copies.distance_to_sources(copy.at(v)));
-    longest_detour = (std::max)(longest_detour, on_seams.distance_to_sources(v) - uncut.distance_to_sources(target(v.hd, mesh)));
+    longest_detour =
+      (std::max)(longest_detour, on_seams.distance_to_sources(v) - uncut.distance_to_sources(target(v.hd, mesh)));
   }
   CHECK(longest_detour > 0.01);
 }
@@ -348,8 +343,7 @@ void flat_torus()
   CHECK_THROWS(geodesic.sharp_edges(30, std::back_inserter(sharp)), std::logic_error);
 
   // lengths of a face that are not those of a triangle: the message names it
-  const auto complaint = [&](Edge_index e, double bad) -> std::string
-  {
+  const auto complaint = [&](Edge_index e, double bad) -> std::string {
     const double good = length[e];
     length[e] = bad;
     std::string text;

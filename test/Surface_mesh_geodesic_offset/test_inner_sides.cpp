@@ -20,20 +20,14 @@ using CGAL::Offset_side;
 typedef std::vector<Point_2> Line;
 typedef Generated_mesh<test::Surface_mesh> Data;
 
-Line reversed(const Line& line)
-{
-  return Line(line.rbegin(), line.rend());
-}
+Line reversed(const Line& line) { return Line(line.rbegin(), line.rend()); }
 
-void check(const Geodesic& geodesic, double level, Offset_side side, std::size_t curves,
-           double length)
+void check(const Geodesic& geodesic, double level, Offset_side side, std::size_t curves, double length)
 {
   const Offset_curves found = offsets(geodesic, level, side);
   CHECK_DETAIL(found.size() == curves && number_of_closed(found) == curves,
-               std::to_string(found.size()) + " curves, " +
-                 std::to_string(number_of_closed(found)) + " closed");
-  CHECK_DETAIL(std::abs(total_length(found) - length) <= 1e-11 * length,
-               values(total_length(found), length));
+               std::to_string(found.size()) + " curves, " + std::to_string(number_of_closed(found)) + " closed");
+  CHECK_DETAIL(std::abs(total_length(found) - length) <= 1e-11 * length, values(total_length(found), length));
 }
 
 // A square of side 2 around (2, 2), in both directions.
@@ -98,8 +92,9 @@ void along_border(const std::string& name, const Planar_mesh& plane)
   for (const bool clockwise : {false, true})
   {
     Report::instance().set_context(name + ", border" + (clockwise ? ", clockwise" : ""));
-    const auto add = [&](Geodesic& geodesic, double e)
-    { plane.add(geodesic, clockwise ? reversed(square(e)) : square(e), true); };
+    const auto add = [&](Geodesic& geodesic, double e) {
+      plane.add(geodesic, clockwise ? reversed(square(e)) : square(e), true);
+    };
     for (const double e : {0., 1e-6})
     {
       Geodesic geodesic(plane.data.mesh);
@@ -173,19 +168,16 @@ void with_points(const Planar_mesh& plane)
   geodesic.add_source_point(plane.location(Point_2(3.25, 3.25)));
   geodesic.add_source_point(plane.location(Point_2(1.5, 1.5)));
   geodesic.build(CGAL::parameters::keep_windows(true));
-  const double d = 0.125, circles = 2 * 2 * CGAL_PI * d, inner = 4 - 8 * d,
-               outer = 4 + 2 * CGAL_PI * d;
+  const double d = 0.125, circles = 2 * 2 * CGAL_PI * d, inner = 4 - 8 * d, outer = 4 + 2 * CGAL_PI * d;
   check(geodesic, d, Offset_side::INSIDE, 3, circles + inner);
   check(geodesic, d, Offset_side::OUTSIDE, 3, circles + outer);
   check(geodesic, d, Offset_side::LEFT, 3, circles + inner);
   check(geodesic, d, Offset_side::RIGHT, 3, circles + outer);
   for (const Offset_curve& curve : offsets(geodesic, d, Offset_side::OUTSIDE))
-    for (const Offset_piece& piece : curve.pieces())
-      CHECK((piece.side() == CGAL::Source_side::NONE) == (piece.source() != 0));
+    for (const Offset_piece& piece : curve.pieces()) CHECK((piece.side() == CGAL::Source_side::NONE) == (piece.source() != 0));
   // a closed polyline without extent is a point
   geodesic.clear_sources();
-  geodesic.add_source_polyline(std::vector<Face_location>(3, plane.location(Point_2(1.5, 1.5))),
-                               true);
+  geodesic.add_source_polyline(std::vector<Face_location>(3, plane.location(Point_2(1.5, 1.5))), true);
   geodesic.build();
   check(geodesic, d, Offset_side::INSIDE, 1, 2 * CGAL_PI * d);
 }
@@ -202,9 +194,8 @@ void in_one_face()
     plane.add(geodesic, line, true);
     geodesic.build(CGAL::parameters::keep_windows(true));
     const double perimeter = 1 + std::sqrt(0.5),
-                 d = 0.0625; // a right isosceles triangle with legs 1/2
-    const double radius =
-      0.25 / perimeter; // inscribed radius: twice the area over the perimeter
+                 d = 0.0625;                // a right isosceles triangle with legs 1/2
+    const double radius = 0.25 / perimeter; // inscribed radius: twice the area over the perimeter
     check(geodesic, d, Offset_side::INSIDE, 1, perimeter * (1 - d / radius));
     check(geodesic, d, Offset_side::OUTSIDE, 1, perimeter + 2 * CGAL_PI * d);
   }
@@ -218,8 +209,7 @@ void sections_of_boxes()
       for (const double up : {1., -1.})
       {
         const Data box(n == 0 ? box_sides(1, 1, 1).triangulated(0, 0, 1) : cube_grid(n));
-        Report::instance().set_context("cube of " + std::to_string(box.faces.size()) +
-                                       " faces cut at " + std::to_string(z) +
+        Report::instance().set_context("cube of " + std::to_string(box.faces.size()) + " faces cut at " + std::to_string(z) +
                                        (up > 0 ? ", upper" : ", lower") + " side on the left");
         const auto sections = plane_section(box.mesh, Point_3(0, 0, z), Vector_3(0, 0, up));
         if (!CHECK(sections.size() == 1 && sections[0].closed)) continue;
@@ -254,9 +244,8 @@ void check_refused(const Function& f, const std::string& what)
 }
 
 // All functions reject both selections; left, right and the last build remain available.
-void check_without_inside(const test::Surface_mesh& mesh,
-                          const std::vector<Face_location>& locations, bool closed, double level,
-                          const std::string& what)
+void check_without_inside(const test::Surface_mesh& mesh, const std::vector<Face_location>& locations, bool closed,
+                          double level, const std::string& what)
 {
   Geodesic geodesic(mesh);
   geodesic.add_source_point(locations[0]);
@@ -266,16 +255,12 @@ void check_without_inside(const test::Surface_mesh& mesh,
   geodesic.clear_sources();
   geodesic.add_source_polyline(locations, closed);
   Offset_curves curves;
-  const auto never = [](double, Offset_curves&&)
-  { CHECK(!"a curve of a selection that is refused"); };
+  const auto never = [](double, Offset_curves&&) { CHECK(!"a curve of a selection that is refused"); };
   for (const Offset_side side : {Offset_side::INSIDE, Offset_side::OUTSIDE})
   {
     const auto np = CGAL::parameters::offset_side(side);
-    check_refused(
-      [&] { geodesic.build_with_offset_curves(level, std::back_inserter(curves), np); },
-      what);
-    check_refused([&] { geodesic.build_with_offset_curves_by_distance(level, never, np); },
-                  what);
+    check_refused([&] { geodesic.build_with_offset_curves(level, std::back_inserter(curves), np); }, what);
+    check_refused([&] { geodesic.build_with_offset_curves_by_distance(level, never, np); }, what);
     CHECK(geodesic.distance_to_sources(v) == distance);
   }
   for (const bool keep : {false, true})
@@ -288,28 +273,22 @@ void check_without_inside(const test::Surface_mesh& mesh,
       check_refused([&] { geodesic.offset_curves_by_distance(level, never, np); }, what);
     }
     CHECK(curves.empty());
-    const auto both =
-      sorted_pieces(offsets(geodesic, level, {Offset_side::BOTH, Offset_end::BUTT}));
-    const auto left =
-      sorted_pieces(offsets(geodesic, level, {Offset_side::LEFT, Offset_end::BUTT}));
-    const auto right =
-      sorted_pieces(offsets(geodesic, level, {Offset_side::RIGHT, Offset_end::BUTT}));
+    const auto both = sorted_pieces(offsets(geodesic, level, {Offset_side::BOTH, Offset_end::BUTT}));
+    const auto left = sorted_pieces(offsets(geodesic, level, {Offset_side::LEFT, Offset_end::BUTT}));
+    const auto right = sorted_pieces(offsets(geodesic, level, {Offset_side::RIGHT, Offset_end::BUTT}));
     CHECK(!left.empty() && !right.empty() && left.size() + right.size() == both.size());
   }
 }
 
 void no_inside()
 {
-  const std::string closed = "does not divide the surface",
-                    open = "is an open polyline and has no inside";
-  for (const auto& size :
-       {std::make_pair(3, 3), std::make_pair(4, 3), std::make_pair(8, 5), std::make_pair(20, 14)})
+  const std::string closed = "does not divide the surface", open = "is an open polyline and has no inside";
+  for (const auto& size : {std::make_pair(3, 3), std::make_pair(4, 3), std::make_pair(8, 5), std::make_pair(20, 14)})
   {
     const std::size_t n = std::size_t(size.first), m = std::size_t(size.second);
     const Data data(torus(n, m));
     const Locations<test::Surface_mesh> on_mesh(data.mesh);
-    const auto at = [&](std::size_t i, std::size_t j)
-    { return on_mesh.at_vertex(data.vertices[(i % n) * m + j % m]); };
+    const auto at = [&](std::size_t i, std::size_t j) { return on_mesh.at_vertex(data.vertices[(i % n) * m + j % m]); };
     std::vector<Face_location> meridian, longitude, both_ways;
     for (std::size_t j = 0; j < m; ++j) meridian.push_back(at(0, j));
     for (std::size_t i = 0; i < n; ++i) longitude.push_back(at(i, 0));
@@ -363,20 +342,17 @@ void guarded(const Function& f)
 
 GEODESIC_OFFSET_TEST(test_inner_sides)
 {
-  for (const Diagonals diagonals :
-       {Diagonals::forward, Diagonals::backward, Diagonals::alternating, Diagonals::random})
+  for (const Diagonals diagonals : {Diagonals::forward, Diagonals::backward, Diagonals::alternating, Diagonals::random})
     for (double side : {0.25, 0.5, 1.})
     {
-      const Planar_mesh plane(
-        planar_grid(std::size_t(4 / side), std::size_t(4 / side), diagonals, side));
+      const Planar_mesh plane(planar_grid(std::size_t(4 / side), std::size_t(4 / side), diagonals, side));
       guarded([&] { squares("grid", plane); });
       if (side < 1) guarded([&] { hole(plane); });
       guarded([&] { large(plane); });
       guarded([&] { along_border("grid", plane); });
       guarded([&] { with_points(plane); });
     }
-  const Planar_mesh rectangle(random_rectangle(4, 4, 150, 5, 3)),
-    two_triangles(random_rectangle(4, 4, 0, 0, 1));
+  const Planar_mesh rectangle(random_rectangle(4, 4, 150, 5, 3)), two_triangles(random_rectangle(4, 4, 0, 0, 1));
   guarded([&] { squares("rectangle", rectangle); });
   guarded([&] { hole(rectangle); });
   guarded([&] { large(rectangle); });

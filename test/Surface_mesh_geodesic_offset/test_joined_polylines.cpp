@@ -29,10 +29,7 @@ namespace test_joined_polylines {
 using namespace test;
 namespace PMP = CGAL::Polygon_mesh_processing;
 
-double distance(const Point_3& p, const Point_3& q)
-{
-  return std::sqrt(CGAL::squared_distance(p, q));
-}
+double distance(const Point_3& p, const Point_3& q) { return std::sqrt(CGAL::squared_distance(p, q)); }
 
 template <class TriangleMesh>
 class Join_checker
@@ -122,9 +119,15 @@ void generated()
   for (std::size_t i = 0; i < m; ++i)
     two.add_triangle({{two.triangles[i][0] + n, two.triangles[i][1] + n, two.triangles[i][2] + n}});
   const std::vector<std::pair<std::string, Soup>> soups = {
-    {"grid", rotated(jittered_grid(12, 9, 1), 2)}, {"flat grid", planar_grid(8, 8)},  {"cube", rotated(cube_grid(5), 3)},
-    {"torus", torus(24, 12)},                      {"icosphere", icosphere(3)},       {"genus 5", marching_genus_5(10)},
-    {"saddle", saddle_fan()},                      {"L", l_shape(40, 4, 1)},          {"two components", two},
+    {"grid", rotated(jittered_grid(12, 9, 1), 2)},
+    {"flat grid", planar_grid(8, 8)},
+    {"cube", rotated(cube_grid(5), 3)},
+    {"torus", torus(24, 12)},
+    {"icosphere", icosphere(3)},
+    {"genus 5", marching_genus_5(10)},
+    {"saddle", saddle_fan()},
+    {"L", l_shape(40, 4, 1)},
+    {"two components", two},
     {"needles", random_rectangle(1, 1e-3, 60, 9, 1)}};
   for (const auto& [name, soup] : soups)
   {
@@ -239,8 +242,7 @@ void exact_numbers()
   for (const auto& t : {std::array<int, 3>{0, 1, 2}, {0, 2, 3}, {1, 4, 5}, {1, 5, 2}})
     mesh.add_face(v[std::size_t(t[0])], v[std::size_t(t[1])], v[std::size_t(t[2])]);
   const Exact_geodesic geodesic(mesh);
-  const auto polyline =
-    geodesic.locate_polyline(std::vector<Exact_kernel::Point_3>{mesh.point(v[0]), mesh.point(v[5])});
+  const auto polyline = geodesic.locate_polyline(std::vector<Exact_kernel::Point_3>{mesh.point(v[0]), mesh.point(v[5])});
   Exact_kernel::FT sum = 0;
   for (std::size_t i = 1; i < polyline.locations.size(); ++i)
     sum += CGAL::sqrt(CGAL::squared_distance(PMP::construct_point(polyline.locations[i - 1], mesh),

@@ -40,8 +40,7 @@ typedef CGAL::Simple_cartesian<CGAL::Gmpfr> Long_kernel;
 typedef Generated_mesh<test::Surface_mesh> Data;
 
 template <class Kernel, class Mesh>
-using Geodesic_with =
-  CGAL::Surface_mesh_geodesic_offset<CGAL::Surface_mesh_geodesic_offset_traits<Kernel, Mesh>>;
+using Geodesic_with = CGAL::Surface_mesh_geodesic_offset<CGAL::Surface_mesh_geodesic_offset_traits<Kernel, Mesh>>;
 
 // Typical results on any mesh: distances, a path, a located point, and an offset, all as doubles for comparison.
 template <class Mesh>
@@ -169,8 +168,7 @@ void needles()
         const std::vector<double> distances = distances_from<Kernel>(data.mesh, data.vertices[i]);
         Worst_error worst(1e-12, 1);
         for (std::size_t j = 0; j < data.vertices.size(); ++j)
-          CHECK_CLOSE(worst, distances[j],
-                      distance(data.mesh.point(data.vertices[i]), data.mesh.point(data.vertices[j])));
+          CHECK_CLOSE(worst, distances[j], distance(data.mesh.point(data.vertices[i]), data.mesh.point(data.vertices[j])));
       }
     }
 }
@@ -187,8 +185,7 @@ void side_tests_near_zero()
   for (std::size_t i = 0; i < 200000; ++i)
   {
     // dyadic numbers, so that some rays meet the apex exactly
-    const auto number = [&](double low, double high)
-    { return std::nearbyint(uniform(random, low, high) * 1048576) / 1048576; };
+    const auto number = [&](double low, double high) { return std::nearbyint(uniform(random, low, high) * 1048576) / 1048576; };
     const bool parallel = i % 3 == 0;
     const double x = number(-2, 2), y = number(-2, -0.01);
     double ax = number(-1, 2), ay = number(0.01, 1), b;
@@ -208,8 +205,8 @@ void side_tests_near_zero()
     if (plain(x, y, parallel, b, ax, ay) != exact) ++wrong;
     if (exact == CGAL::ZERO) ++zeros;
   }
-  std::cout << "side tests: " << wrong << " of 200000 wrong without exact predicates, " << zeros
-            << " rays hit the apex" << std::endl;
+  std::cout << "side tests: " << wrong << " of 200000 wrong without exact predicates, " << zeros << " rays hit the apex"
+            << std::endl;
   CHECK(wrong > 1000 && zeros > 100);
 }
 
@@ -223,8 +220,9 @@ void side_tests_of_floats()
   std::size_t zeros = 0;
   for (std::size_t i = 0; i < 100000; ++i)
   {
-    const auto number = [&](double low, double high)
-    { return float(std::nearbyint(uniform(random, low, high) * 1024) / 1024); };
+    const auto number = [&](double low, double high) {
+      return float(std::nearbyint(uniform(random, low, high) * 1024) / 1024);
+    };
     const bool parallel = i % 3 == 0;
     const float x = number(-2, 2), y = number(-2, -0.01), ax = number(-1, 2), ay = number(0.01, 1);
     float b = (x * ay - y * ax) / (parallel ? -y : ay - y);
@@ -249,19 +247,16 @@ void concept_archetype()
   const Archetype traits(calls);
   Geodesic_here geodesic(data.mesh, CGAL::parameters::geom_traits(traits));
   Geodesic expected(data.mesh);
-  const auto add_sources = [&](auto& g)
-  {
+  const auto add_sources = [&](auto& g) {
     g.add_source_point(data.vertices[3]);
-    g.add_source_polyline(std::vector<Geodesic::Face_location>{
-      Geodesic::Face_location(data.faces[5], {{0.5, 0.25, 0.25}}),
-      Geodesic::Face_location(data.faces[5], {{0.25, 0.25, 0.5}})});
+    g.add_source_polyline(std::vector<Geodesic::Face_location>{Geodesic::Face_location(data.faces[5], {{0.5, 0.25, 0.25}}),
+                                                               Geodesic::Face_location(data.faces[5], {{0.25, 0.25, 0.5}})});
     g.build(CGAL::parameters::keep_windows(true));
   };
   add_sources(geodesic);
   add_sources(expected);
   Worst_error worst(1e-12, 1);
-  for (auto v : data.vertices)
-    CHECK_CLOSE(worst, geodesic.distance_to_sources(v), expected.distance_to_sources(v));
+  for (auto v : data.vertices) CHECK_CLOSE(worst, geodesic.distance_to_sources(v), expected.distance_to_sources(v));
   const Point_3& p = data.mesh.point(data.vertices[9]);
   const Geodesic::Face_location location = geodesic.locate(Archetype::Point_3(p.x(), p.y(), p.z()));
   CHECK_CLOSE(worst, geodesic.distance_to_sources(location), expected.distance_to_sources(location));
@@ -304,17 +299,15 @@ void long_numbers()
   CGAL::Gmpfr::set_default_precision(200);
   std::size_t count = 0;
   for (unsigned seed = 1; seed <= 6; ++seed)
-    for (const Soup& soup :
-         {rotated(random_rectangle(2, 1, 12, 4, seed), seed), rotated(icosphere(1), seed),
-          rotated(torus(5 + seed % 3, 4), seed), rotated(marching_sphere(4), seed)})
+    for (const Soup& soup : {rotated(random_rectangle(2, 1, 12, 4, seed), seed), rotated(icosphere(1), seed),
+                             rotated(torus(5 + seed % 3, 4), seed), rotated(marching_sphere(4), seed)})
     {
       const Data data(soup);
       const Vertex_index source = data.vertices[seed % data.vertices.size()];
       const std::vector<double> expected = distances_from<Kernel>(data.mesh, source);
       const std::vector<CGAL::Gmpfr> distances = distances_from<Long_kernel>(data.mesh, source);
       Worst_error worst(1e-13, bounding_box_diagonal(data.mesh));
-      for (std::size_t i = 0; i < expected.size(); ++i, ++count)
-        CHECK_CLOSE(worst, CGAL::to_double(distances[i]), expected[i]);
+      for (std::size_t i = 0; i < expected.size(); ++i, ++count) CHECK_CLOSE(worst, CGAL::to_double(distances[i]), expected[i]);
     }
   std::cout << "200 bits: " << count << " distances" << std::endl;
 
@@ -360,8 +353,7 @@ void long_numbers()
   for (Vertex_index v : round.vertices)
   {
     const double d = CGAL::to_double(bounded.distance_to_sources(v)), expected = exact.distance_to_sources(v);
-    CHECK_DETAIL(d <= expected + 1e-12 && d >= expected - CGAL::to_double(bounded.error_bound(v)) - 1e-12,
-                 values(d, expected));
+    CHECK_DETAIL(d <= expected + 1e-12 && d >= expected - CGAL::to_double(bounded.error_bound(v)) - 1e-12, values(d, expected));
   }
 }
 
@@ -373,10 +365,8 @@ void pairs_are_two_numbers()
   typedef Number_pair<FT> Pair;
   const FT nan = std::numeric_limits<FT>::quiet_NaN(), infinity = std::numeric_limits<FT>::infinity();
   const std::vector<FT> numbers{FT(0), FT(-0.), FT(1) / 3, FT(-7) / 11, FT(1e10) / 7, FT(-3e-20) / 7, infinity, -infinity, nan};
-  const auto same = [](FT a, FT b)
-  { return a != a ? b != b : a == b && std::signbit(a) == std::signbit(b); };
-  const auto check = [&](const Pair& p, FT first, FT second)
-  { CHECK(same(p.first(), first) && same(p.second(), second)); };
+  const auto same = [](FT a, FT b) { return a != a ? b != b : a == b && std::signbit(a) == std::signbit(b); };
+  const auto check = [&](const Pair& p, FT first, FT second) { CHECK(same(p.first(), first) && same(p.second(), second)); };
   for (FT a : numbers)
     for (FT b : numbers)
       for (FT c : numbers)
@@ -428,8 +418,7 @@ void pairs()
     const std::vector<double> expected = distances_from<Kernel>(data.mesh, data.vertices[0]);
     const std::vector<long double> distances = distances_from<Longer_kernel>(data.mesh, data.vertices[0]);
     Worst_error worst(1e-13, bounding_box_diagonal(data.mesh));
-    for (std::size_t i = 0; i < expected.size(); ++i)
-      CHECK_CLOSE(worst, static_cast<double>(distances[i]), expected[i]);
+    for (std::size_t i = 0; i < expected.size(); ++i) CHECK_CLOSE(worst, static_cast<double>(distances[i]), expected[i]);
   }
 }
 
@@ -456,8 +445,7 @@ void short_numbers()
       const auto located = short_geodesic.locate_with_distance(Short_kernel::Point_3(float(p.x()), float(p.y()), float(p.z())));
       CHECK(located.second < 1e-6);
     }
-    for (std::size_t i = 0; i < expected.size(); ++i)
-      CHECK_CLOSE(worst, static_cast<double>(distances[i]), expected[i]);
+    for (std::size_t i = 0; i < expected.size(); ++i) CHECK_CLOSE(worst, static_cast<double>(distances[i]), expected[i]);
   }
 }
 

@@ -28,10 +28,7 @@ constexpr double epsilon = std::numeric_limits<double>::epsilon();
 double worst = 0; // distance of located points, relative to the tolerance of the check
 std::size_t number_of_queries = 0;
 
-double distance(const Point_3& p, const Point_3& q)
-{
-  return std::sqrt(CGAL::squared_distance(p, q));
-}
+double distance(const Point_3& p, const Point_3& q) { return std::sqrt(CGAL::squared_distance(p, q)); }
 
 // Displaces each coordinate by up to 2 units in the last place.
 Point_3 perturbed(const Point_3& p, Random& random)
@@ -87,8 +84,7 @@ public:
   {
     const auto s = locations.support(l);
     const vertex_descriptor a = source(h, mesh), b = target(h, mesh);
-    return s.size() == 2 && ((s[0].first == a && s[1].first == b) ||
-                             (s[0].first == b && s[1].first == a));
+    return s.size() == 2 && ((s[0].first == a && s[1].first == b) || (s[0].first == b && s[1].first == a));
   }
 
   // Checks a location of a point.
@@ -127,9 +123,7 @@ public:
       {
         const halfedge_descriptor h = halfedge(e, mesh);
         const double t = i == 0 ? 0.5 : uniform(random_, 0.01, 0.99);
-        const Point_3 p =
-          perturbed(CGAL::barycenter(point(source(h, mesh)), 1 - t, point(target(h, mesh)), t),
-                    random_);
+        const Point_3 p = perturbed(CGAL::barycenter(point(source(h, mesh)), 1 - t, point(target(h, mesh)), t), random_);
         const Face_location l = geodesic.locate(p);
         check_near(l, p);
         CHECK(is_on(l, h));
@@ -223,8 +217,7 @@ void generated_meshes()
     Checker(std::string(soup.first) + ", Surface_mesh", surface_mesh.mesh).check_all();
     typedef CGAL::Polyhedron_3<Kernel> Polyhedron;
     const Generated_mesh<Polyhedron> polyhedron(soup.second);
-    Locate_checker<Polyhedron>(std::string(soup.first) + ", Polyhedron_3", polyhedron.mesh, 2)
-      .check_all();
+    Locate_checker<Polyhedron>(std::string(soup.first) + ", Polyhedron_3", polyhedron.mesh, 2).check_all();
   }
 }
 
@@ -233,15 +226,12 @@ void data_meshes()
 {
   std::size_t count = 0;
   for (const char* name :
-       {"ALSTOM_TEST4.off", "anchor_dense.off", "eight.off", "elephant.off", "fold.off",
-        "joint.off", "mesh_with_border.off", "mpi_triang.off", "oblong.off", "pinion.off",
-        "translated-cube.off", "triceratops.off", "u.off"})
+       {"ALSTOM_TEST4.off", "anchor_dense.off", "eight.off", "elephant.off", "fold.off", "joint.off", "mesh_with_border.off",
+        "mpi_triang.off", "oblong.off", "pinion.off", "translated-cube.off", "triceratops.off", "u.off"})
   {
     test::Surface_mesh mesh;
     const std::filesystem::path file = std::filesystem::path(data_directory()) / name;
-    if (data_directory().empty() || !std::filesystem::exists(file) ||
-        !read_data_mesh(file, 20000, mesh).empty())
-      continue;
+    if (data_directory().empty() || !std::filesystem::exists(file) || !read_data_mesh(file, 20000, mesh).empty()) continue;
     Checker(name, mesh).check_all();
     ++count;
   }
@@ -258,8 +248,7 @@ void larger_tolerance()
   std::size_t kinds[3] = {0, 0, 0};
   for (int i = 0; i < 3000; ++i)
   {
-    const double tolerance = uniform(random, 0.01, 0.4),
-                 z = i % 2 == 0 ? 0 : uniform(random, -2, 2);
+    const double tolerance = uniform(random, 0.01, 0.4), z = i % 2 == 0 ? 0 : uniform(random, -2, 2);
     const Point_3 q(uniform(random, 0, 9), uniform(random, 0, 7), 0), p(q.x(), q.y(), z);
     double to_vertex = infinity, to_edge = infinity, second_edge = infinity;
     test::Surface_mesh::Vertex_index vertex;
@@ -272,8 +261,7 @@ void larger_tolerance()
       }
     for (auto e : edges(data.mesh))
     {
-      const Kernel::Segment_3 s(data.mesh.point(data.mesh.vertex(e, 0)),
-                                data.mesh.point(data.mesh.vertex(e, 1)));
+      const Kernel::Segment_3 s(data.mesh.point(data.mesh.vertex(e, 0)), data.mesh.point(data.mesh.vertex(e, 1)));
       const double d = std::sqrt(CGAL::squared_distance(s, q));
       second_edge = (std::min)(second_edge, (std::max)(d, to_edge));
       if (d < to_edge)
@@ -282,30 +270,25 @@ void larger_tolerance()
         edge = e;
       }
     }
-    if (std::abs(to_vertex - tolerance) < margin || std::abs(to_edge - tolerance) < margin ||
-        second_edge - to_edge < margin)
+    if (std::abs(to_vertex - tolerance) < margin || std::abs(to_edge - tolerance) < margin || second_edge - to_edge < margin)
       continue;
     const Face_location l = checker.geodesic.locate(p, tolerance);
     const double moved_by = to_vertex < tolerance ? to_vertex : to_edge < tolerance ? to_edge : 0;
     CHECK(std::abs(distance(checker.locations.point(l), q) - moved_by) <= 1e-13);
-    if (to_vertex < tolerance)
-      CHECK(checker.is_at(l, vertex));
-    else if (to_edge < tolerance)
-      CHECK(checker.is_on(l, data.mesh.halfedge(edge)));
-    else
-      CHECK(checker.locations.support(l).size() == 3);
+    if (to_vertex < tolerance) CHECK(checker.is_at(l, vertex));
+    else if (to_edge < tolerance) CHECK(checker.is_on(l, data.mesh.halfedge(edge)));
+    else CHECK(checker.locations.support(l).size() == 3);
     ++kinds[checker.locations.support(l).size() - 1];
   }
-  std::cout << "larger tolerance: " << kinds[0] << " at vertices, " << kinds[1] << " on edges, "
-            << kinds[2] << " in faces" << std::endl;
+  std::cout << "larger tolerance: " << kinds[0] << " at vertices, " << kinds[1] << " on edges, " << kinds[2] << " in faces"
+            << std::endl;
 }
 
 // Flat cap, thinner than the round-off of coordinates: a point at its apex is nearest to any of the adjacent faces.
 void thin_cap()
 {
   Soup soup;
-  soup.points = {Point_3(0, 3, 0), Point_3(2, 3, 0), Point_3(1, 3, 1e-17),
-                 Point_3(1, 2, 0), Point_3(1, 3, 1)};
+  soup.points = {Point_3(0, 3, 0), Point_3(2, 3, 0), Point_3(1, 3, 1e-17), Point_3(1, 2, 0), Point_3(1, 3, 1)};
   soup.add_triangle({{1, 0, 3}});
   soup.add_triangle({{0, 1, 2}});
   soup.add_triangle({{2, 1, 4}});
@@ -318,8 +301,8 @@ void thin_cap()
     const Point_3 p = perturbed(Point_3(1, 3, uniform(random, -4, 4) * epsilon), random);
     CHECK(checker.is_at(checker.geodesic.locate(p), data.vertices[2]));
     const double x = uniform(random, 0.1, 0.9);
-    const auto support = checker.locations.support(
-      checker.geodesic.locate(perturbed(Point_3(x, 3, uniform(random, -4, 4) * epsilon), random)));
+    const auto support =
+      checker.locations.support(checker.geodesic.locate(perturbed(Point_3(x, 3, uniform(random, -4, 4) * epsilon), random)));
     CHECK(support.size() == 2);
   }
 }
@@ -332,8 +315,7 @@ void rays_at_a_sphere()
   const Checker::Geodesic& g = checker.geodesic;
   Random random(1);
   const Point_3 center(0, 0, 0);
-  const auto check = [&](const Face_location& l, const Point_3& p, std::size_t support)
-  {
+  const auto check = [&](const Face_location& l, const Point_3& p, std::size_t support) {
     checker.check_near(l, p);
     CHECK(checker.locations.support(l).size() == support);
   };
@@ -344,8 +326,7 @@ void rays_at_a_sphere()
       if (corners < 3) target.second = {{0.5, 0.5, 0}};
       if (corners < 2) target.second = {{0, 1, 0}};
       const Point_3 p = checker.locations.point(target);
-      const Vector_3 outwards = p - center,
-                     aside(uniform(random, -1, 1), uniform(random, -1, 1), uniform(random, -1, 1));
+      const Vector_3 outwards = p - center, aside(uniform(random, -1, 1), uniform(random, -1, 1), uniform(random, -1, 1));
       const double tolerance = 1e-13;
       const Point_3 outside = p + (2 * outwards + aside);
       check(g.locate(Ray_3(center, p), tolerance).value(), p, corners);
@@ -374,15 +355,12 @@ void rays_at_a_plane()
     for (const Vector_3& d : {Vector_3(0, 0, 1), Vector_3(0.3, -2, -1), Vector_3(1, 0.2, 0)})
       checker.check_near(g.locate(Ray_3(p, d)).value(), p);
     // in it
-    checker.check_near(g.locate(Ray_3(Point_3(-2, p.y(), 0), Vector_3(1, 0, 0))).value(),
-                       Point_3(0, p.y(), 0));
-    checker.check_near(g.locate(Ray_3(Point_3(p.x(), 9, 0), Vector_3(0, -1, 0))).value(),
-                       Point_3(p.x(), 5, 0));
+    checker.check_near(g.locate(Ray_3(Point_3(-2, p.y(), 0), Vector_3(1, 0, 0))).value(), Point_3(0, p.y(), 0));
+    checker.check_near(g.locate(Ray_3(Point_3(p.x(), 9, 0), Vector_3(0, -1, 0))).value(), Point_3(p.x(), 5, 0));
     CHECK(!g.locate(Ray_3(Point_3(-2, p.y(), 0), Vector_3(-1, 0, 0))));
   }
   CHECK(checker.is_at(g.locate(Ray_3(Point_3(-2, 0, 0), Vector_3(1, 0, 0))).value(), data.vertices[0]));
-  CHECK(checker.is_at(g.locate(Ray_3(Point_3(2.01, 3.01, 1), Vector_3(0, 0, -1)), 0.02).value(),
-                      data.vertices[23]));
+  CHECK(checker.is_at(g.locate(Ray_3(Point_3(2.01, 3.01, 1), Vector_3(0, 0, -1)), 0.02).value(), data.vertices[23]));
 }
 
 // Point map with other points. Can be neither default constructed nor assigned.
@@ -405,9 +383,8 @@ void custom_point_map()
   Checker checker("custom point map", other.mesh);
   std::vector<Point_3> points;
   for (auto v : vertices(other.mesh)) points.push_back(other.mesh.point(v));
-  typedef CGAL::Surface_mesh_geodesic_offset<
-    CGAL::Surface_mesh_geodesic_offset_traits<Kernel, test::Surface_mesh>, CGAL::Default,
-    CGAL::Default, Other_points>
+  typedef CGAL::Surface_mesh_geodesic_offset<CGAL::Surface_mesh_geodesic_offset_traits<Kernel, test::Surface_mesh>,
+                                             CGAL::Default, CGAL::Default, Other_points>
     With_map;
   const With_map with_map(data.mesh, CGAL::parameters::vertex_point_map(Other_points(points)));
   Random random(1);
@@ -420,8 +397,7 @@ void custom_point_map()
     const Ray_3 ray(p + Vector_3(0.1, 0.2, 20), p);
     CHECK(with_map.locate(ray) == checker.geodesic.locate(ray));
   }
-  for (auto v : vertices(data.mesh))
-    CHECK(checker.is_at(with_map.locate(perturbed(points[v], random)), v));
+  for (auto v : vertices(data.mesh)) CHECK(checker.is_at(with_map.locate(perturbed(points[v], random)), v));
 }
 
 void isolated_vertex()
@@ -433,8 +409,7 @@ void isolated_vertex()
   Checker checker("isolated vertex", mesh);
   checker.round_off = 1e-15;
   checker.check_near(checker.geodesic.locate(Point_3(1.5, 1.25, 1e-3)), Point_3(1.5, 1.25, 0));
-  checker.check_near(checker.geodesic.locate(Point_3(2.5, 1.5 + 1e-9, 0)),
-                     Point_3(2.5, 1.5 + 1e-9, 0));
+  checker.check_near(checker.geodesic.locate(Point_3(2.5, 1.5 + 1e-9, 0)), Point_3(2.5, 1.5 + 1e-9, 0));
 }
 
 // The locator of the class, once with searches of all faces only, once with the tree only.
@@ -477,22 +452,18 @@ void check_search_and_tree(const TriangleMesh& mesh, unsigned seed)
   const Locations<TriangleMesh> locations(mesh);
   Random random(seed);
   const CGAL::Bbox_3 box = CGAL::Polygon_mesh_processing::bbox(mesh);
-  const auto in_box = [&]
-  {
+  const auto in_box = [&] {
     double c[3];
     for (int i = 0; i < 3; ++i)
-      c[i] = uniform(random, 1.5 * (box.min)(i) - 0.5 * (box.max)(i),
-                     1.5 * (box.max)(i) - 0.5 * (box.min)(i));
+      c[i] = uniform(random, 1.5 * (box.min)(i)-0.5 * (box.max)(i), 1.5 * (box.max)(i)-0.5 * (box.min)(i));
     return Point_3(c[0], c[1], c[2]);
   };
-  const Point_3 center((box.xmin() + box.xmax()) / 2, (box.ymin() + box.ymax()) / 2,
-                       (box.zmin() + box.zmax()) / 2);
+  const Point_3 center((box.xmin() + box.xmax()) / 2, (box.ymin() + box.ymax()) / 2, (box.zmin() + box.zmax()) / 2);
   std::vector<Point_3> points = {center, CGAL::ORIGIN};
   for (auto v : vertices(mesh)) points.push_back(get(CGAL::vertex_point, mesh, v));
   for (auto e : edges(mesh))
   {
-    const Point_3 a = get(CGAL::vertex_point, mesh, source(e, mesh)),
-                  b = get(CGAL::vertex_point, mesh, target(e, mesh));
+    const Point_3 a = get(CGAL::vertex_point, mesh, source(e, mesh)), b = get(CGAL::vertex_point, mesh, target(e, mesh));
     const double t = uniform(random);
     points.push_back(CGAL::midpoint(a, b));
     points.push_back(CGAL::barycenter(a, t, b, 1 - t));
@@ -579,10 +550,8 @@ void several_threads()
   Random random(1);
   std::vector<Point_3> points;
   for (int i = 0; i < 500; ++i)
-    points.push_back(
-      Point_3(uniform(random, -3, 3), uniform(random, -3, 3), uniform(random, -3, 3)));
-  const auto locate_all = [&points](const Geodesic& geodesic)
-  {
+    points.push_back(Point_3(uniform(random, -3, 3), uniform(random, -3, 3), uniform(random, -3, 3)));
+  const auto locate_all = [&points](const Geodesic& geodesic) {
     std::vector<Face_location> result;
     for (const Point_3& p : points)
     {
@@ -648,20 +617,14 @@ void bad_input()
 GEODESIC_OFFSET_TEST(test_locate)
 {
   std::cout.precision(3);
-  const std::pair<const char*, void (*)()> tests[] = {{"generated meshes", generated_meshes},
-                                                      {data_case, data_meshes},
-                                                      {"larger tolerance", larger_tolerance},
-                                                      {"thin cap", thin_cap},
-                                                      {"rays at a sphere", rays_at_a_sphere},
-                                                      {"rays at a plane", rays_at_a_plane},
-                                                      {"custom point map", custom_point_map},
-                                                      {"isolated vertex", isolated_vertex},
-                                                      {"search and tree", search_and_tree},
-                                                      {"distances", distances},
-                                                      {"several threads", several_threads},
-                                                      {"bad input", bad_input}};
+  const std::pair<const char*, void (*)()> tests[] = {
+    {"generated meshes", generated_meshes}, {data_case, data_meshes},
+    {"larger tolerance", larger_tolerance}, {"thin cap", thin_cap},
+    {"rays at a sphere", rays_at_a_sphere}, {"rays at a plane", rays_at_a_plane},
+    {"custom point map", custom_point_map}, {"isolated vertex", isolated_vertex},
+    {"search and tree", search_and_tree},   {"distances", distances},
+    {"several threads", several_threads},   {"bad input", bad_input}};
   const int result = run_tests("test_locate", tests);
-  std::cout << number_of_queries << " points located, the worst off by " << worst
-            << " of what is allowed" << std::endl;
+  std::cout << number_of_queries << " points located, the worst off by " << worst << " of what is allowed" << std::endl;
   return result;
 }

@@ -140,8 +140,8 @@ void check_envelope(Random& random, const Windows& envelope, const Windows& all,
   {
     const double t = random(0, length), expected = nearest(all, t), d = nearest(envelope, t);
     const auto covers = [t](const Window& w) { return w.b0 <= t && t <= w.b1; };
-    const bool is_closed_gap = d < expected &&
-                               is_in_closed_gap(all, *std::find_if(envelope.begin(), envelope.end(), covers), t, largest);
+    const bool is_closed_gap =
+      d < expected && is_in_closed_gap(all, *std::find_if(envelope.begin(), envelope.end(), covers), t, largest);
     CHECK(d == expected || std::abs(d - expected) <= 1e-14 * largest || is_closed_gap);
   }
 }
@@ -161,7 +161,8 @@ bool may_be_closed(double gap, double length, double widest) { return gap > 0x1p
 void check_row(const Windows& windows, double length)
 {
   const double widest = widest_gap(windows.front(), length);
-  bool expected = !may_be_closed(windows.front().b0, length, widest) && !may_be_closed(length - windows.back().b1, length, widest);
+  bool expected =
+    !may_be_closed(windows.front().b0, length, widest) && !may_be_closed(length - windows.back().b1, length, widest);
   for (std::size_t i = 1; i < windows.size(); ++i)
   {
     const Window &a = windows[i - 1], &b = windows[i];
@@ -415,7 +416,7 @@ GEODESIC_OFFSET_TEST(test_lower_envelope)
   test_gaps_beside_segments(0, 8e-11, 0, false);
   test_gaps_beside_segments(0, 8e-11, 1e-8, false);
   test_gaps_beside_segments(0, 8e-11, 1e-3, true);
-  test_gaps_beside_segments(0, 4e-8, 1, true); // 8e-16
+  test_gaps_beside_segments(0, 4e-8, 1, true);  // 8e-16
   test_gaps_beside_segments(0, 1e-6, 1, false); // 5e-13
   return test::Report::instance().finish("test_lower_envelope");
 }

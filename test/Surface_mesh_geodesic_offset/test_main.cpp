@@ -61,8 +61,7 @@ int main(int argc, char* argv[])
   const auto& tests = test::registered_tests();
   const auto named = argc > 1 ? tests.find(argv[1]) : tests.end();
   if (named != tests.end()) return run(named->first, named->second, std::vector<char*>(argv + 1, argv + argc));
-  if (tests.size() == 1)
-    return run(tests.begin()->first, tests.begin()->second, std::vector<char*>(argv, argv + argc));
+  if (tests.size() == 1) return run(tests.begin()->first, tests.begin()->second, std::vector<char*>(argv, argv + argc));
   std::cerr << "usage: " << argv[0] << " TEST [--generated-meshes | --data-meshes] [ARGUMENT...]\nTEST is one of";
   for (const auto& test : tests) std::cerr << ' ' << test.first;
   std::cerr << std::endl;

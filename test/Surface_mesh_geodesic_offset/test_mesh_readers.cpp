@@ -36,8 +36,7 @@ std::vector<std::vector<std::array<double, 3>>> corners(const geodesic_offset::S
   for (const auto& polygon : soup.polygons)
   {
     result.emplace_back();
-    for (std::uint32_t v : polygon)
-      result.back().push_back({soup.points[v].x(), soup.points[v].y(), soup.points[v].z()});
+    for (std::uint32_t v : polygon) result.back().push_back({soup.points[v].x(), soup.points[v].y(), soup.points[v].z()});
   }
   return result;
 }
@@ -90,8 +89,7 @@ void expect_bad(const std::string& what, const std::string& extension, const std
   {
     const std::string text = error.what();
     CHECK_DETAIL(text.find('\n') == std::string::npos && text.find("'file" + extension + "'") != std::string::npos, text);
-    for (const std::string& word : words)
-      CHECK_DETAIL(text.find(word) != std::string::npos, word + " is not in: " + text);
+    for (const std::string& word : words) CHECK_DETAIL(text.find(word) != std::string::npos, word + " is not in: " + text);
     if (!words.empty()) std::cout << what << ": " << text << '\n';
   }
 }
@@ -120,7 +118,8 @@ void bad_off()
              {"line 4", "vertex 1", "'red'"});
   expect_bad("a truncated COFF", ".off", "COFF\n3 1 0\n0 0 0 255 0 0\n1 0", {"line 4", "vertex 1", "three coordinates"});
   for (const char* number : {"nan", "inf", "-inf", "1e999", "0x10", "1e", "1,5", "--1", "1.5.5"})
-    expect_bad(std::string("the coordinate ") + number, ".off", off("0 0 0\n1 0 0\n0 1 " + std::string(number) + "\n", "3 0 1 2\n"),
+    expect_bad(std::string("the coordinate ") + number, ".off",
+               off("0 0 0\n1 0 0\n0 1 " + std::string(number) + "\n", "3 0 1 2\n"),
                {"line 5", "vertex 2", "'" + std::string(number) + "'", "finite number"});
   expect_bad("two coordinates", ".off", off("0 0 0\n1 0\n0 1 0\n", "3 0 1 2\n"), {"line 4", "vertex 1", "three coordinates"});
   for (const char* index : {"3", "-1", "4294967296", "1.0", "x", "99999999999999999999"})
@@ -130,7 +129,8 @@ void bad_off()
     expect_bad(std::string("a face ") + size, ".off", off(good, std::string(size) + "\n"), {"line 6", "face 0"});
   expect_bad("a face of 4 billion vertices", ".off", off(good, "4000000000 0 1 2\n"), {"line 6", "face 0", "fewer"});
   expect_bad("an index too few", ".off", "OFF\n3 2 0\n" + good + "3 0 1\n3 0 1 2\n", {"line 6", "face 0", "fewer"});
-  expect_bad("w = 0", ".off", "4OFF\n3 1 0\n0 0 0 1\n1 0 0 0\n0 1 0 1\n3 0 1 2\n", {"line 4", "vertex 1", "fourth coordinate '0'"});
+  expect_bad("w = 0", ".off", "4OFF\n3 1 0\n0 0 0 1\n1 0 0 0\n0 1 0 1\n3 0 1 2\n",
+             {"line 4", "vertex 1", "fourth coordinate '0'"});
 
   for (const char* keyword : {"OFF", "STCN4nOFF"})
   {
@@ -161,7 +161,8 @@ void bad_obj()
   for (const char* index : {"4", "4294967297"})
     expect_bad(std::string("the index ") + index, ".obj", "f 1 2 " + std::string(index) + "/7\n" + vertices + "f 1 2 3\n",
                {"line 1", "face 0", "'" + std::string(index) + "'", "3 vertices"});
-  expect_bad("an index of vertices that follow", ".obj", "v 0 0 0\nf -1 -2 -3\nv 1 0 0\nv 0 1 0\n", {"line 2", "'-2'", "1 vertex"});
+  expect_bad("an index of vertices that follow", ".obj", "v 0 0 0\nf -1 -2 -3\nv 1 0 0\nv 0 1 0\n",
+             {"line 2", "'-2'", "1 vertex"});
   expect_bad("two vertices", ".obj", vertices + "f 1 2 3\nf 1 2\n", {"line 5", "face 1", "2 vertices"});
   expect_bad("two coordinates", ".obj", "v 0 0\n", {"line 1", "vertex 0", "three coordinates"});
   expect_bad("a continued line that ends", ".obj", "v 0 0 \\\n", {"line 2", "vertex 0", "three coordinates"});
@@ -172,8 +173,10 @@ void bad_obj()
 void bad_ply()
 {
   const auto ply = [](const std::string& x, const std::string& list, const std::string& rows) {
-    return "ply\nformat ascii 1.0\nelement vertex 3\nproperty " + x + "\nproperty float y\nproperty float z\n"
-           "element face 1\nproperty " + list + "\nend_header\n" + rows;
+    return "ply\nformat ascii 1.0\nelement vertex 3\nproperty " + x +
+           "\nproperty float y\nproperty float z\n"
+           "element face 1\nproperty " +
+           list + "\nend_header\n" + rows;
   };
   const std::string x = "float x", list = "list uchar int vertex_indices", rows = "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
   CHECK(read(".ply", ply(x, list, rows)).polygons.size() == 1);
@@ -192,7 +195,8 @@ void bad_ply()
   expect_bad("an unknown word", ".ply", replaced(ply(x, list, rows), "format", "formal"), {"line 2", "'formal'"});
   expect_bad("a property of nothing", ".ply", "ply\nformat ascii 1.0\nproperty float x\n", {"line 3", "misplaced"});
   expect_bad("a coordinate too few", ".ply", ply(x, list, "0 0 0\n1 0\n0 1 0\n3 0 1 2\n"), {"line 11", "vertex 1", "'z'"});
-  expect_bad("a coordinate too many", ".ply", ply(x, list, "0 0 0\n1 0 0 0\n0 1 0\n3 0 1 2\n"), {"line 11", "vertex 1", "more"});
+  expect_bad("a coordinate too many", ".ply", ply(x, list, "0 0 0\n1 0 0 0\n0 1 0\n3 0 1 2\n"),
+             {"line 11", "vertex 1", "more"});
   expect_bad("a word", ".ply", ply(x, list, "0 0 0\n1 0 zero\n0 1 0\n3 0 1 2\n"), {"line 11", "vertex 1", "'zero'"});
   for (const char* face : {"3 0 1 3", "3 0 1 -1", "3 0 1 1.5"})
     expect_bad(std::string("the face ") + face, ".ply", ply(x, list, "0 0 0\n1 0 0\n0 1 0\n" + std::string(face) + "\n"),
@@ -239,9 +243,11 @@ void bad_stl()
   expect_bad("something else", ".stl", replaced(text, "facet", "faced"), {"line 2", "'facet' or 'endsolid'", "'faced'"});
   for (std::size_t size = 0; size < binary.size(); ++size)
     expect_bad("a binary STL of " + std::to_string(size) + " bytes", ".stl", binary.substr(0, size), {});
-  expect_bad("4294967295 facets", ".stl", binary.substr(0, 80) + "\xff\xff\xff\xff" + binary.substr(84), {"6 of 4294967295 facets"});
+  expect_bad("4294967295 facets", ".stl", binary.substr(0, 80) + "\xff\xff\xff\xff" + binary.substr(84),
+             {"6 of 4294967295 facets"});
   const float nan = std::numeric_limits<float>::quiet_NaN();
-  expect_bad("NaN", ".stl", binary.substr(0, 96) + internal::number_bytes(nan, false) + binary.substr(100), {"facet 0", "finite"});
+  expect_bad("NaN", ".stl", binary.substr(0, 96) + internal::number_bytes(nan, false) + binary.substr(100),
+             {"facet 0", "finite"});
 }
 
 // Bytes after the announced elements cause a remark.

@@ -19,13 +19,7 @@ namespace test_mesh_types {
 
 using namespace test;
 
-enum class Sources
-{
-  vertex,
-  points,
-  polyline,
-  edges
-};
+enum class Sources { vertex, points, polyline, edges };
 
 /// Distances of all vertices, in the order of the soup's points, from sources given by soup indices, so that they are the
 /// same for each mesh type.
@@ -44,18 +38,15 @@ std::vector<double> distances(const Soup& soup, Sources sources, unsigned seed)
   const std::size_t triangle = uniform_index(random, soup.triangles.size());
   switch (sources)
   {
-  case Sources::vertex:
-    geodesic.add_source_point(data.vertices[uniform_index(random, data.vertices.size())]);
-    break;
+  case Sources::vertex: geodesic.add_source_point(data.vertices[uniform_index(random, data.vertices.size())]); break;
   case Sources::points:
     geodesic.add_source_point(location(triangle, random_barycentric(random)));
-    geodesic.add_source_point(
-      location(uniform_index(random, soup.triangles.size()), {{0.25, 0.75, 0}}));
+    geodesic.add_source_point(location(uniform_index(random, soup.triangles.size()), {{0.25, 0.75, 0}}));
     break;
   case Sources::polyline:
     geodesic.add_source_polyline(std::vector<typename Geodesic::Face_location>{
-      location(triangle, {{0, 0.3, 0.7}}), location(triangle, random_barycentric(random)),
-      location(triangle, {{0.6, 0, 0.4}}), location(triangle, {{1, 0, 0}})});
+      location(triangle, {{0, 0.3, 0.7}}), location(triangle, random_barycentric(random)), location(triangle, {{0.6, 0, 0.4}}),
+      location(triangle, {{1, 0, 0}})});
     break;
   case Sources::edges:
   {
@@ -80,8 +71,7 @@ void run(const std::string& name, const Soup& soup)
   for (Sources sources : {Sources::vertex, Sources::points, Sources::polyline, Sources::edges})
     for (unsigned seed = 1; seed <= 3; ++seed)
     {
-      Report::instance().set_context(name + ", sources " +
-                                     std::to_string(static_cast<int>(sources)) + ", seed " +
+      Report::instance().set_context(name + ", sources " + std::to_string(static_cast<int>(sources)) + ", seed " +
                                      std::to_string(seed));
       try
       {
@@ -121,8 +111,8 @@ void unset_indices()
       mesh, CGAL::parameters::face_index_map(Unset_face_index()));
   };
   const auto no_vertices = [&] {
-    CGAL::Surface_mesh_geodesic_offset<Traits, Unset_vertex_index>(
-      mesh, CGAL::parameters::vertex_index_map(Unset_vertex_index()));
+    CGAL::Surface_mesh_geodesic_offset<Traits, Unset_vertex_index>(mesh,
+                                                                   CGAL::parameters::vertex_index_map(Unset_vertex_index()));
   };
   CHECK_THROWS(no_faces(), std::length_error);
   CHECK_THROWS(no_vertices(), std::length_error);

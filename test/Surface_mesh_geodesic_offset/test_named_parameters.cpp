@@ -164,8 +164,7 @@ private:
     CHECK_DETAIL(text.find("windows propagated") != std::string::npos, text);
     CHECK(visitor_.calls > 1 && visitor_.last == 1);
     const std::vector<double> found = distances(); // needs kept windows
-    for (std::size_t i = 0; i < found.size(); ++i)
-      CHECK(found[i] == expected_[i] || std::abs(found[i] - expected_[i]) < 1e-14);
+    for (std::size_t i = 0; i < found.size(); ++i) CHECK(found[i] == expected_[i] || std::abs(found[i] - expected_[i]) < 1e-14);
   }
 
   std::vector<double> distances() const
@@ -190,7 +189,8 @@ void of_several_kinds()
   Report::instance().set_context("of several kinds");
   Mesh mesh = Generated_mesh<Mesh>(rotated(torus(16, 10), 1)).mesh;
   const auto moved = mesh.add_property_map<Vertex_index, Point_3>("v:moved").first;
-  for (Vertex_index v : mesh.vertices()) moved[v] = Point_3(2 * mesh.point(v).x(), 2 * mesh.point(v).y(), 2 * mesh.point(v).z());
+  for (Vertex_index v : mesh.vertices())
+    moved[v] = Point_3(2 * mesh.point(v).x(), 2 * mesh.point(v).y(), 2 * mesh.point(v).z());
   const auto distance = mesh.add_property_map<Vertex_index, double>("v:distance").first;
   const auto twice = mesh.add_property_map<Vertex_index, double>("v:twice").first;
   Visitor visitor;

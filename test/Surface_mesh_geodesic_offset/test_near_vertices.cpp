@@ -105,14 +105,37 @@ Soup planar_soup(const std::vector<std::array<double, 2>>& points, const std::ve
 void corner_beside_edge()
 {
   Near_vertex_search search(std::cout, 20, 100);
-  const Soup border = planar_soup({{0, 0}, {0.5816349245055592, 0}, {1, 0}, {0, 0.31113336148985826},
-    {0.43779154393954284, 0.34139573463332745}, {1, 0.3235465043753601}, {0, 0.7041878443999885},
-    {0.5839497600126249, 0.6838725942931915}, {1, 0.6964381061004035}, {0, 1}, {0.4890586898584087, 1}, {1, 1}},
-    {{1, 3, 0}, {3, 1, 5}, {5, 1, 2}, {3, 5, 4}, {3, 4, 6}, {10, 9, 4}, {8, 4, 5}, {11, 4, 8}, {10, 4, 7}, {9, 6, 4},
-    {11, 7, 4}, {7, 11, 10}});
-  search.run("corners at the border", border, {{8, {0.9999999999812121, 1.7520756958262165e-11, 1.2670465611994846e-12}},
-    {8, {0.5, 0.25, 0.25}}, {8, {0.9999981467695995, 1.853229790374947e-06, 6.100742329568362e-13}},
-    {8, {0.9999999999938907, 3.175236899272817e-12, 2.934094791965198e-12}}}, false);
+  const Soup border = planar_soup(
+    {{0, 0},
+     {0.5816349245055592, 0},
+     {1, 0},
+     {0, 0.31113336148985826},
+     {0.43779154393954284, 0.34139573463332745},
+     {1, 0.3235465043753601},
+     {0, 0.7041878443999885},
+     {0.5839497600126249, 0.6838725942931915},
+     {1, 0.6964381061004035},
+     {0, 1},
+     {0.4890586898584087, 1},
+     {1, 1}},
+    {{1, 3, 0},
+     {3, 1, 5},
+     {5, 1, 2},
+     {3, 5, 4},
+     {3, 4, 6},
+     {10, 9, 4},
+     {8, 4, 5},
+     {11, 4, 8},
+     {10, 4, 7},
+     {9, 6, 4},
+     {11, 7, 4},
+     {7, 11, 10}});
+  search.run("corners at the border", border,
+             {{8, {0.9999999999812121, 1.7520756958262165e-11, 1.2670465611994846e-12}},
+              {8, {0.5, 0.25, 0.25}},
+              {8, {0.9999981467695995, 1.853229790374947e-06, 6.100742329568362e-13}},
+              {8, {0.9999999999938907, 3.175236899272817e-12, 2.934094791965198e-12}}},
+             false);
   check(search);
 }
 
@@ -120,12 +143,13 @@ void corner_beside_edge()
 
 GEODESIC_OFFSET_TEST(test_near_vertices)
 {
-  const std::pair<const char*, void (*)()> tests[] = {{"known cases", known_cases},
-                                                      {"polyline from large to small faces", polyline_from_large_to_small_faces},
-                                                      {"search", search},
-                                                      {"search around vertices", search_around},
-                                                      {"search in needles", search_in_needles},
-                                                      {"segments perpendicular to edges", segments_perpendicular_to_edges},
-                                                      {"corner beside an edge", corner_beside_edge}};
+  const std::pair<const char*, void (*)()> tests[] = {
+    {"known cases", known_cases},
+    {"polyline from large to small faces", polyline_from_large_to_small_faces},
+    {"search", search},
+    {"search around vertices", search_around},
+    {"search in needles", search_in_needles},
+    {"segments perpendicular to edges", segments_perpendicular_to_edges},
+    {"corner beside an edge", corner_beside_edge}};
   return run_tests("test_near_vertices", tests);
 }

@@ -58,8 +58,7 @@ Planar_source random_planar_source(Planar_mesh& plane, std::size_t number, unsig
   if (number % 3 == 0) result.source.locations = {plane.generator.random_location(0)};
   else
   {
-    const auto path =
-      plane.generator.random_path(1 + (seed + number) % 4 + number % 3 / 2, result.source.closed);
+    const auto path = plane.generator.random_path(1 + (seed + number) % 4 + number % 3 / 2, result.source.closed);
     result.source.locations = path.locations;
     result.legs = path.legs;
   }
@@ -80,25 +79,21 @@ std::vector<Candidate> candidates(const std::vector<Planar_source>& sources, con
   std::vector<Candidate> result;
   for (std::size_t s = 0; s < sources.size(); ++s)
   {
-    if (sources[s].legs.empty())
-      result.push_back({distance(p, sources[s].points[0]), sources[s].points[0], s});
+    if (sources[s].legs.empty()) result.push_back({distance(p, sources[s].points[0]), sources[s].points[0], s});
     for (const Leg& leg : sources[s].legs)
     {
       const double t = inner_foot(p, leg.a, leg.b);
-      if (t > 0)
-        result.push_back({segment_distance(p, leg.a, leg.b), leg.a + t * (leg.b - leg.a), s});
+      if (t > 0) result.push_back({segment_distance(p, leg.a, leg.b), leg.a + t * (leg.b - leg.a), s});
       for (const Point_2& end : {leg.a, leg.b}) result.push_back({distance(p, end), end, s});
     }
   }
-  std::sort(result.begin(), result.end(),
-            [](const Candidate& a, const Candidate& b) { return a.distance < b.distance; });
+  std::sort(result.begin(), result.end(), [](const Candidate& a, const Candidate& b) { return a.distance < b.distance; });
   return result;
 }
 
 // Checks the segment or point number, and the side, of a nearest source point at `foot`.
 template <class Nearest>
-void check_part(const Planar_source& source, const Nearest& nearest, const Point_2& p,
-                const Point_2& foot, Totals& totals)
+void check_part(const Planar_source& source, const Nearest& nearest, const Point_2& p, const Point_2& foot, Totals& totals)
 {
   if (source.legs.empty())
   {
@@ -128,8 +123,7 @@ void check_part(const Planar_source& source, const Nearest& nearest, const Point
     CHECK(distance(source.points[nearest.part], foot) <= 1e-11);
   }
   const auto side = Signed_distance(source.legs, source.source.closed)(p, 1e-9).second;
-  if (side != 0)
-    CHECK_DETAIL(int(nearest.side) == side, values(double(int(nearest.side)), double(side)));
+  if (side != 0) CHECK_DETAIL(int(nearest.side) == side, values(double(int(nearest.side)), double(side)));
 }
 
 void compare_with_plane(Planar_mesh& plane, unsigned seed, Worst_error& worst, Totals& totals)
@@ -149,8 +143,7 @@ void compare_with_plane(Planar_mesh& plane, unsigned seed, Worst_error& worst, T
   geodesic.source_labels(boost::make_assoc_property_map(labels));
   CHECK(labels.size() == plane.data.vertices.size());
 
-  const auto check = [&](const auto& query, const Point_2& p)
-  {
+  const auto check = [&](const auto& query, const Point_2& p) {
     const auto nearest = geodesic.nearest_source(query);
     if (!CHECK(nearest.has_value()) || !CHECK(number_of.count(nearest->source) == 1)) return false;
     const std::vector<Candidate> all = candidates(sources, p);
@@ -177,8 +170,7 @@ void compare_with_plane(Planar_mesh& plane, unsigned seed, Worst_error& worst, T
     return true;
   };
   for (auto v : plane.data.vertices)
-    if (check(v, plane.uv(plane.generator.locations().at_vertex(v))))
-      CHECK(labels[v] == geodesic.nearest_source(v)->source);
+    if (check(v, plane.uv(plane.generator.locations().at_vertex(v)))) CHECK(labels[v] == geodesic.nearest_source(v)->source);
   for (int i = 0; i < 150; ++i)
   {
     const Face_location l = plane.generator.random_location(0);
@@ -193,19 +185,16 @@ void compare_with_plane(Planar_mesh& plane, unsigned seed, Worst_error& worst, T
 }
 
 // Distance of a point from the given segment, and from the line through it.
-double off_segment(const Mesh_locations& locations, const Path_locations& polyline, std::size_t i,
-                   const Point_3& p, bool line, Vector_3& direction)
+double off_segment(const Mesh_locations& locations, const Path_locations& polyline, std::size_t i, const Point_3& p, bool line,
+                   Vector_3& direction)
 {
-  const Point_3 a = locations.point(polyline[i]),
-                b = locations.point(polyline[(i + 1) % polyline.size()]);
+  const Point_3 a = locations.point(polyline[i]), b = locations.point(polyline[(i + 1) % polyline.size()]);
   direction = b - a;
-  return std::sqrt(line ? CGAL::squared_distance(p, Kernel::Line_3(a, b))
-                        : CGAL::squared_distance(p, Kernel::Segment_3(a, b)));
+  return std::sqrt(line ? CGAL::squared_distance(p, Kernel::Line_3(a, b)) : CGAL::squared_distance(p, Kernel::Segment_3(a, b)));
 }
 
 // Plane sections as sources on any mesh.
-void sections(const std::string& name, const test::Surface_mesh& mesh, unsigned seed,
-              Totals& totals)
+void sections(const std::string& name, const test::Surface_mesh& mesh, unsigned seed, Totals& totals)
 {
   Report::instance().set_context(name);
   Random random(seed);
@@ -220,8 +209,7 @@ void sections(const std::string& name, const test::Surface_mesh& mesh, unsigned 
     for (std::size_t i = 0; i < section.number_of_segments(); ++i)
     {
       const int samples = 16;
-      for (int k = 0; k <= samples; ++k)
-        sampled.add_source_point(section.between(locations, i, double(k) / samples));
+      for (int k = 0; k <= samples; ++k) sampled.add_source_point(section.between(locations, i, double(k) / samples));
       step = (std::max)(step, distance(locations.point(section.between(locations, i, 0)),
                                        locations.point(section.between(locations, i, 1))) /
                                 samples);
@@ -238,8 +226,7 @@ void sections(const std::string& name, const test::Surface_mesh& mesh, unsigned 
     if (!nearest) continue;
     ++totals.points;
     const double d = nearest->distance, approximate = sampled.distance_to_sources(query);
-    CHECK_DETAIL(d <= approximate * (1 + 1e-12) + 1e-14 * checker.scale &&
-                   approximate <= d + step / 2 * (1 + 1e-9),
+    CHECK_DETAIL(d <= approximate * (1 + 1e-12) + 1e-14 * checker.scale && approximate <= d + step / 2 * (1 + 1e-9),
                  values(d, approximate));
     if (i < 40) // the distance from the found point is correct
     {
@@ -263,15 +250,13 @@ void sections(const std::string& name, const test::Surface_mesh& mesh, unsigned 
     }
     ++totals.at_segments;
     // on the segment, or on a collinear neighbour
-    CHECK(off_segment(locations, polyline, nearest->part, foot, true, direction) <=
-          1e-12 * checker.scale);
+    CHECK(off_segment(locations, polyline, nearest->part, foot, true, direction) <= 1e-12 * checker.scale);
     double off = infinity;
     Vector_3 ignored;
     for (std::size_t k = 0; k < polyline.size(); ++k)
       off = (std::min)(off, off_segment(locations, polyline, k, foot, false, ignored));
     CHECK(off <= 1e-12 * checker.scale);
-    if (path.size() < 2 || direction.squared_length() < CGAL::square(1e-5 * checker.scale))
-      continue;
+    if (path.size() < 2 || direction.squared_length() < CGAL::square(1e-5 * checker.scale)) continue;
     const Vector_3 last = checker.point(path.back()) - checker.point(path[path.size() - 2]);
     if (last.squared_length() < CGAL::square(1e-5 * checker.scale)) continue;
     ++totals.feet;
@@ -302,10 +287,9 @@ void in_the_plane()
       {
         CHECK_DETAIL(!"an exception was thrown", e.what());
       }
-  std::cout << "plane: " << totals.points << " points, " << totals.ties << " near ties, "
-            << totals.at_segments << " nearest to segments, " << totals.at_points
-            << " to points; worst relative error of the distance " << worst.error()
-            << ", of the location " << totals.location << std::endl;
+  std::cout << "plane: " << totals.points << " points, " << totals.ties << " near ties, " << totals.at_segments
+            << " nearest to segments, " << totals.at_points << " to points; worst relative error of the distance "
+            << worst.error() << ", of the location " << totals.location << std::endl;
 }
 
 } // namespace test_nearest_source
@@ -322,8 +306,7 @@ GEODESIC_OFFSET_TEST(test_nearest_source)
     {"box", box_sides(1, 0.7, 0.45).triangulated(60, 5, 1)},
     {"cone of 1.5 turns", Cone(8, 3 * CGAL_PI, 1).triangulated(30, 4, 5)},
     {"L", l_shape(80, 5, 8)}};
-  const auto run = [&](const std::string& name, const test::Surface_mesh& mesh)
-  {
+  const auto run = [&](const std::string& name, const test::Surface_mesh& mesh) {
     try
     {
       for (unsigned seed : {1u, 2u}) sections(name, mesh, seed, totals);
@@ -334,18 +317,16 @@ GEODESIC_OFFSET_TEST(test_nearest_source)
     }
   };
   if (mesh_kinds().generated)
-    for (const auto& soup : generated)
-      run(soup.first, Generated_mesh<test::Surface_mesh>(rotated(soup.second, 5)).mesh);
+    for (const auto& soup : generated) run(soup.first, Generated_mesh<test::Surface_mesh>(rotated(soup.second, 5)).mesh);
   for (const char* name : {"anchor.off", "elephant.off", "mesh_with_border.off"})
   {
     test::Surface_mesh mesh;
-    const std::string reason =
-      read_data_mesh(std::filesystem::path(data_directory()) / name, 10000, mesh);
+    const std::string reason = read_data_mesh(std::filesystem::path(data_directory()) / name, 10000, mesh);
     if (reason.empty()) run(name, mesh);
     else std::cout << name << ": skipped, " << reason << std::endl;
   }
-  std::cout << "elsewhere: " << totals.points << " points, " << totals.at_segments
-            << " nearest to segments, " << totals.at_points << " to points; " << totals.feet
-            << " paths to segments, worst cosine " << totals.foot << std::endl;
+  std::cout << "elsewhere: " << totals.points << " points, " << totals.at_segments << " nearest to segments, "
+            << totals.at_points << " to points; " << totals.feet << " paths to segments, worst cosine " << totals.foot
+            << std::endl;
   return Report::instance().finish("test_nearest_source");
 }

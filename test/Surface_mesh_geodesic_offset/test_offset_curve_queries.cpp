@@ -37,10 +37,10 @@ class Queries
 
 public:
   Queries(const std::string& name, std::size_t points_inside, unsigned seed)
-    : name_(name + ", seed " + std::to_string(seed)),
-      data_(random_rectangle(4, 3, points_inside, 3, seed)), unfolding_(data_),
+    : name_(name + ", seed " + std::to_string(seed)), data_(random_rectangle(4, 3, points_inside, 3, seed)), unfolding_(data_),
       generator_(data_, seed), locations_(data_.mesh)
-  {}
+  {
+  }
 
   void run()
   {
@@ -53,10 +53,7 @@ public:
 private:
   Face_location at(double x, double y) const { return unfolding_.locate(0, Point_2(x, y)); }
 
-  static double x_y_distance(const Point_3& p, double x, double y)
-  {
-    return std::hypot(p.x() - x, p.y() - y);
-  }
+  static double x_y_distance(const Point_3& p, double x, double y) { return std::hypot(p.x() - x, p.y() - y); }
 
   static Point_2 flat(const Point_3& p) { return Point_2(p.x(), p.y()); }
 
@@ -101,10 +98,8 @@ private:
         CHECK(piece.source() == id && piece.source_part() == 0);
         CHECK(piece.side() == CGAL::Source_side::NONE);
         CHECK(std::abs(piece.radius() - cut_level(d)) <= 1e-13);
-        CHECK_DETAIL(
-          distance(piece.center(), unfolding_.in_frame(piece.face(), Point_2(2.1, 1.45))) <= 2e-12,
-          values(distance(piece.center(), unfolding_.in_frame(piece.face(), Point_2(2.1, 1.45))),
-                 0));
+        CHECK_DETAIL(distance(piece.center(), unfolding_.in_frame(piece.face(), Point_2(2.1, 1.45))) <= 2e-12,
+                     values(distance(piece.center(), unfolding_.in_frame(piece.face(), Point_2(2.1, 1.45))), 0));
       }
     }
   }
@@ -133,12 +128,10 @@ private:
       const double foot = along * (middle - a);
       if (foot < 0 || foot > distance(a, b)) CHECK(piece.side() == CGAL::Source_side::CAP);
       else
-        CHECK(piece.side() == (CGAL::orientation(a, b, middle) == CGAL::LEFT_TURN
-                                 ? CGAL::Source_side::LEFT
-                                 : CGAL::Source_side::RIGHT));
+        CHECK(piece.side() ==
+              (CGAL::orientation(a, b, middle) == CGAL::LEFT_TURN ? CGAL::Source_side::LEFT : CGAL::Source_side::RIGHT));
       CHECK(piece.is_segment() == (foot >= 0 && foot <= distance(a, b)));
-      if (!piece.is_nearest_to_segment())
-        CHECK(piece.source_part() == (foot < 0 ? 0 : path.locations.size() - 1));
+      if (!piece.is_nearest_to_segment()) CHECK(piece.source_part() == (foot < 0 ? 0 : path.locations.size() - 1));
       else if (CHECK(piece.source_part() + 1 < path.locations.size()))
       {
         const Point_2 p = flat(locations_.point(path.locations[piece.source_part()])),
@@ -158,8 +151,7 @@ private:
   {
     context("square");
     const double d = 0.21;
-    const Point_2 corners[] = {Point_2(1.21, 1.02), Point_2(2.53, 1.11), Point_2(2.44, 2.43),
-                               Point_2(1.12, 2.34)};
+    const Point_2 corners[] = {Point_2(1.21, 1.02), Point_2(2.53, 1.11), Point_2(2.44, 2.43), Point_2(1.12, 2.34)};
     typename Generator::Path path;
     path.locations.push_back(at(corners[0].x(), corners[0].y()));
     for (std::size_t k : {1, 2, 3})
@@ -182,8 +174,7 @@ private:
         CHECK(outside || piece.is_segment());
       }
       const double expected = outside ? 4 * side + 2 * pi * d : 4 * (side - 2 * d);
-      CHECK_DETAIL(std::abs(curve.length() - expected) <= 1e-11 * expected,
-                   values(curve.length(), expected));
+      CHECK_DETAIL(std::abs(curve.length() - expected) <= 1e-11 * expected, values(curve.length(), expected));
     }
   }
 
@@ -229,8 +220,7 @@ private:
   {
     CHECK(curve.enclosed_side() == CGAL::LEFT_TURN);
     const std::size_t n = curve.number_of_pieces();
-    CHECK(static_cast<std::size_t>(std::distance(curve.pieces().begin(), curve.pieces().end())) ==
-          n);
+    CHECK(static_cast<std::size_t>(std::distance(curve.pieces().begin(), curve.pieces().end())) == n);
     double way = 0;
     for (std::size_t i = 0; i < n; ++i)
     {
@@ -240,14 +230,12 @@ private:
       const Point_3 p = curve.point(way + piece.length() / 2), q = piece.point(0.5);
       CHECK(CGAL::squared_distance(p, q) <= 1e-24);
       way += piece.length();
-      if (i + 1 < n)
-        CHECK(CGAL::squared_distance(piece.point(1.), curve.piece(i + 1).point(0.)) <= 1e-25);
+      if (i + 1 < n) CHECK(CGAL::squared_distance(piece.point(1.), curve.piece(i + 1).point(0.)) <= 1e-25);
     }
     CHECK(std::abs(way - curve.length()) <= 1e-13 * n);
     CHECK(CGAL::squared_distance(curve.point(0.), curve.piece(0).point(0.)) == 0);
     CHECK(CGAL::squared_distance(curve.point(way + 1), curve.piece(n - 1).point(1.)) == 0);
-    CHECK(!curve.is_closed() ||
-          CGAL::squared_distance(curve.piece(0).point(0.), curve.piece(n - 1).point(1.)) <= 1e-25);
+    CHECK(!curve.is_closed() || CGAL::squared_distance(curve.piece(0).point(0.), curve.piece(n - 1).point(1.)) <= 1e-25);
     for (double tolerance : {0.3, 0.01, 1e-5, 1e-7}) check_chords(curve, tolerance);
   }
 
@@ -265,25 +253,20 @@ private:
       const Face_location l = piece.location(t);
       CHECK(l.first == piece.face());
       for (double w : l.second) CHECK(w >= -1e-12 && w <= 1 + 1e-12);
-      CHECK(distance(unfolding_.in_frame(piece.face(), unfolding_.uv(l)), piece.point_2(t)) <=
-            2e-12);
+      CHECK(distance(unfolding_.in_frame(piece.face(), unfolding_.uv(l)), piece.point_2(t)) <= 2e-12);
       CHECK(CGAL::squared_distance(locations_.point(l), piece.point(t)) <= 1e-28);
       // The parameter is proportional to length.
       const double straight = distance(piece.point_2(t), piece.start_2());
-      const double expected = piece.is_segment()
-                                ? t * piece.length()
-                                : 2 * piece.radius() * std::sin(t * piece.angle() / 2);
+      const double expected = piece.is_segment() ? t * piece.length() : 2 * piece.radius() * std::sin(t * piece.angle() / 2);
       CHECK_DETAIL(std::abs(straight - expected) <= 1e-12, values(straight, expected));
-      if (piece.is_arc())
-        CHECK(std::abs(distance(piece.point_2(t), piece.center()) - piece.radius()) <= 1e-12);
+      if (piece.is_arc()) CHECK(std::abs(distance(piece.point_2(t), piece.center()) - piece.radius()) <= 1e-12);
     }
     if (piece.is_arc())
     {
       CHECK(std::abs(piece.length() - piece.radius() * piece.angle()) <= 1e-15 * piece.length());
       // Counterclockwise: the center, which is nearer to the source, is on the left.
       if (piece.angle() > 1e-6)
-        CHECK(CGAL::orientation(piece.start_2(), piece.point_2(0.5), piece.center()) ==
-              CGAL::LEFT_TURN);
+        CHECK(CGAL::orientation(piece.start_2(), piece.point_2(0.5), piece.center()) == CGAL::LEFT_TURN);
     }
     else
     {
@@ -305,31 +288,27 @@ private:
     bool first = true;
     Point_3 last(0, 0, 0);
     double sum = 0;
-    curve.discretize(
-      tolerance,
-      [&](const Face_location& l, std::size_t i)
+    curve.discretize(tolerance, [&](const Face_location& l, std::size_t i) {
+      from_discretize.push_back(l);
+      const Point_3 p = locations_.point(l);
+      if (!first)
       {
-        from_discretize.push_back(l);
-        const Point_3 p = locations_.point(l);
-        if (!first)
+        ++chords[i];
+        sum += std::sqrt(CGAL::squared_distance(last, p));
+        const Piece piece = curve.piece(i);
+        // height of the arc over this chord
+        const double half = std::sqrt(CGAL::squared_distance(last, p)) / 2;
+        if (piece.is_arc())
         {
-          ++chords[i];
-          sum += std::sqrt(CGAL::squared_distance(last, p));
-          const Piece piece = curve.piece(i);
-          // height of the arc over this chord
-          const double half = std::sqrt(CGAL::squared_distance(last, p)) / 2;
-          if (piece.is_arc())
-          {
-            const double r = piece.radius();
-            const double height = r - std::sqrt((std::max)(0., (r - half) * (r + half)));
-            const double larger =
-              piece.angle() / chords_of(piece, tolerance) > pi + 1e-9 ? 2 * r - height : height;
-            CHECK_DETAIL(larger <= tolerance * (1 + 1e-9) + 1e-14, values(larger, tolerance));
-          }
+          const double r = piece.radius();
+          const double height = r - std::sqrt((std::max)(0., (r - half) * (r + half)));
+          const double larger = piece.angle() / chords_of(piece, tolerance) > pi + 1e-9 ? 2 * r - height : height;
+          CHECK_DETAIL(larger <= tolerance * (1 + 1e-9) + 1e-14, values(larger, tolerance));
         }
-        last = p;
-        first = false;
-      });
+      }
+      last = p;
+      first = false;
+    });
     CHECK(sum <= curve.length() * (1 + 1e-12));
     for (std::size_t i = 0; i < chords.size(); ++i)
     {
@@ -341,8 +320,7 @@ private:
       const double step = piece.angle() / static_cast<double>(n - 1);
       const double height = 2 * piece.radius() * std::pow(std::sin(step / 4), 2);
       // No chord spans more than a third of a circle, so small circles remain polygons.
-      CHECK_DETAIL(height > tolerance * (1 - 1e-6) || step > 2 * pi / 3 - 1e-9,
-                   values(height, tolerance));
+      CHECK_DETAIL(height > tolerance * (1 - 1e-6) || step > 2 * pi / 3 - 1e-9, values(height, tolerance));
     }
     std::vector<Face_location> from_locations;
     curve.face_locations(tolerance, std::back_inserter(from_locations));
@@ -371,9 +349,7 @@ void run(const std::string& name)
   for (unsigned seed = 1; seed <= 4; ++seed)
     for (const std::size_t points_inside : {0u, 20u, 300u}) try
       {
-        Queries<TriangleMesh>(name + ", " + std::to_string(points_inside) + " points",
-                              points_inside, seed)
-          .run();
+        Queries<TriangleMesh>(name + ", " + std::to_string(points_inside) + " points", points_inside, seed).run();
       }
       catch (const std::exception& e)
       {

@@ -51,14 +51,12 @@ std::vector<double> ten_levels(const test::Surface_mesh& mesh, const Geodesic& g
 {
   double largest = 0;
   for (auto v : vertices(mesh))
-    if (std::isfinite(geodesic.distance_to_sources(v)))
-      largest = (std::max)(largest, geodesic.distance_to_sources(v));
+    if (std::isfinite(geodesic.distance_to_sources(v))) largest = (std::max)(largest, geodesic.distance_to_sources(v));
   const bool vertices_decide = largest > 0; // all of them may be sources
   for (auto f : faces(mesh))
     if (!vertices_decide)
     {
-      const double d =
-        geodesic.distance_to_sources(Face_location(f, {{1. / 3, 1. / 3, 1. / 3}}));
+      const double d = geodesic.distance_to_sources(Face_location(f, {{1. / 3, 1. / 3, 1. / 3}}));
       if (std::isfinite(d)) largest = (std::max)(largest, d);
     }
   std::vector<double> result;
@@ -82,8 +80,8 @@ Summary& summary()
 // Prints figures since the last call.
 void print_summary(const std::string& what)
 {
-  std::cout << what << ": " << summary().meshes << " meshes, " << summary().cases << " cases, "
-            << summary().exceptions << " exceptions; ";
+  std::cout << what << ": " << summary().meshes << " meshes, " << summary().cases << " cases, " << summary().exceptions
+            << " exceptions; ";
   print(std::cout, summary().report);
   std::cout << "; " << summary().forced_joints << " joints forced" << std::endl;
   summary() = Summary();
@@ -105,8 +103,7 @@ void run(const std::string& name, const test::Surface_mesh& mesh, const AddSourc
     {
       const std::size_t before = one_by_one.size();
       geodesic.offset_curves(level, std::back_inserter(one_by_one));
-      for (std::size_t i = before; i < one_by_one.size(); ++i)
-        CHECK(one_by_one[i].distance() == level);
+      for (std::size_t i = before; i < one_by_one.size(); ++i) CHECK(one_by_one[i].distance() == level);
     }
     CHECK(!one_by_one.empty());
     const Validation_report report = Curve_checker(mesh, geodesic).check(levels, one_by_one);
@@ -124,10 +121,8 @@ void run(const std::string& name, const test::Surface_mesh& mesh, const AddSourc
       {
         const auto found = actual.find(entry.first);
         if (!CHECK(found != actual.end())) continue;
-        CHECK(found->second.curves == entry.second.curves &&
-              found->second.closed == entry.second.closed);
-        CHECK_DETAIL(std::abs(found->second.length - entry.second.length) <=
-                       1e-10 * entry.second.length,
+        CHECK(found->second.curves == entry.second.curves && found->second.closed == entry.second.closed);
+        CHECK_DETAIL(std::abs(found->second.length - entry.second.length) <= 1e-10 * entry.second.length,
                      values(found->second.length, entry.second.length));
       }
     }
@@ -150,10 +145,8 @@ void run_all_sources(const std::string& name, const test::Surface_mesh& mesh, un
 {
   ++summary().meshes;
   Random random(seed);
-  const auto random_face = [&]()
-  {
-    return *std::next(faces(mesh).begin(),
-                      static_cast<std::ptrdiff_t>(uniform_index(random, num_faces(mesh))));
+  const auto random_face = [&]() {
+    return *std::next(faces(mesh).begin(), static_cast<std::ptrdiff_t>(uniform_index(random, num_faces(mesh))));
   };
   const auto vertex = source(halfedge(random_face(), mesh), mesh);
   const Face_location in_face(random_face(), random_barycentric(random));
@@ -161,34 +154,26 @@ void run_all_sources(const std::string& name, const test::Surface_mesh& mesh, un
   std::vector<test::Surface_mesh::Edge_index> border;
   for (auto e : edges(mesh))
     if (mesh.is_border(e)) border.push_back(e);
-  const auto add_sections = [&](Geodesic& geodesic)
-  {
-    for (const auto& section : sections)
-      geodesic.add_source_polyline(section.locations, section.closed);
+  const auto add_sections = [&](Geodesic& geodesic) {
+    for (const auto& section : sections) geodesic.add_source_polyline(section.locations, section.closed);
   };
   run(name + ", vertex", mesh, [&](Geodesic& geodesic) { geodesic.add_source_point(vertex); });
-  run(name + ", point in a face", mesh,
-      [&](Geodesic& geodesic) { geodesic.add_source_point(in_face); });
+  run(name + ", point in a face", mesh, [&](Geodesic& geodesic) { geodesic.add_source_point(in_face); });
   run(name + ", plane section", mesh, add_sections);
-  if (!border.empty())
-    run(name + ", boundary", mesh,
-        [&](Geodesic& geodesic) { geodesic.add_source_edges(border); });
-  run(name + ", all together", mesh,
-      [&](Geodesic& geodesic)
-      {
-        geodesic.add_source_point(vertex);
-        geodesic.add_source_point(in_face);
-        add_sections(geodesic);
-        if (!border.empty()) geodesic.add_source_edges(border);
-      });
+  if (!border.empty()) run(name + ", boundary", mesh, [&](Geodesic& geodesic) { geodesic.add_source_edges(border); });
+  run(name + ", all together", mesh, [&](Geodesic& geodesic) {
+    geodesic.add_source_point(vertex);
+    geodesic.add_source_point(in_face);
+    add_sections(geodesic);
+    if (!border.empty()) geodesic.add_source_edges(border);
+  });
 }
 
 // One level with known number of curves and total length. Levels are cut below themselves by a fraction of 2^-42, which
 // matters where the length changes fast, by `growth` per unit of the level.
 template <class AddSources>
-void check_length(const std::string& name, const test::Surface_mesh& mesh,
-                  const AddSources& add_sources, double level, std::size_t expected_curves,
-                  std::size_t expected_closed, double expected_length, double growth = 0)
+void check_length(const std::string& name, const test::Surface_mesh& mesh, const AddSources& add_sources, double level,
+                  std::size_t expected_curves, std::size_t expected_closed, double expected_length, double growth = 0)
 {
   Report::instance().set_context(name + ", level " + std::to_string(level));
   try
@@ -202,8 +187,7 @@ void check_length(const std::string& name, const test::Surface_mesh& mesh,
     const Totals total = totals(curves)[level];
     CHECK_DETAIL(total.closed == expected_closed, std::to_string(total.closed) + " closed");
     // Joints of curves that meet at a small angle are less well conditioned than distances.
-    CHECK_DETAIL(std::abs(total.length - expected_length) <=
-                   1e-11 * expected_length + 2.5e-13 * level * growth,
+    CHECK_DETAIL(std::abs(total.length - expected_length) <= 1e-11 * expected_length + 2.5e-13 * level * growth,
                  values(total.length, expected_length));
     Curve_checker(mesh, geodesic).check({level}, curves);
   }
@@ -232,8 +216,8 @@ void known_lengths()
     const Face_location a = in_middle(1);
     for (double level : {1e-4, 0.1, 0.9, 1.4})
       check_length(
-        "circle, seed " + std::to_string(seed), data.mesh,
-        [&](Geodesic& g) { g.add_source_point(a); }, level, 1, 1, 2 * pi * level);
+        "circle, seed " + std::to_string(seed), data.mesh, [&](Geodesic& g) { g.add_source_point(a); }, level, 1, 1,
+        2 * pi * level);
 
     const Face_location b = in_middle(1);
     const double apart = distance(generator.uv(a, 0), generator.uv(b, 0));
@@ -243,10 +227,9 @@ void known_lengths()
       if (level < 1.45 && apart > 1e-3)
         check_length(
           "two circles, seed " + std::to_string(seed), data.mesh,
-          [&](Geodesic& g)
-          {
-            g.add_source_point(a);
-            g.add_source_point(b);
+          [&](Geodesic& g) {
+          g.add_source_point(a);
+          g.add_source_point(b);
           },
           level, ratio > 0.5 ? 1 : 2, ratio > 0.5 ? 1 : 2, 4 * level * (pi - lost));
     }
@@ -255,19 +238,17 @@ void known_lengths()
     if (CHECK(generator.add_leg(path, b, 0)))
       for (double level : {0.01, 0.3, 1.3})
         check_length(
-          "stadium, seed " + std::to_string(seed), data.mesh,
-          [&](Geodesic& g) { g.add_source_polyline(path.locations); }, level, 1, 1,
-          2 * apart + 2 * pi * level);
+          "stadium, seed " + std::to_string(seed), data.mesh, [&](Geodesic& g) { g.add_source_polyline(path.locations); },
+          level, 1, 1, 2 * apart + 2 * pi * level);
 
     for (double level : {0.05, 0.7, 1.9})
       check_length(
         "rectangle's boundary, seed " + std::to_string(seed), data.mesh,
-        [&](Geodesic& g)
-        {
-          std::vector<test::Surface_mesh::Edge_index> border;
-          for (auto e : edges(data.mesh))
-            if (data.mesh.is_border(e)) border.push_back(e);
-          g.add_source_edges(border);
+        [&](Geodesic& g) {
+        std::vector<test::Surface_mesh::Edge_index> border;
+        for (auto e : edges(data.mesh))
+          if (data.mesh.is_border(e)) border.push_back(e);
+        g.add_source_edges(border);
         },
         level, 1, 1, 4 * (4 - 2 * level));
 
@@ -279,8 +260,7 @@ void known_lengths()
       for (double level : {0.01, 0.5 * inner_radius, 0.97 * inner_radius})
         check_length(
           "cone of " + std::to_string(turns) + " turns from its apex", cone_data.mesh,
-          [&](Geodesic& g) { g.add_source_point(cone_data.vertices[0]); }, level, 1, 1,
-          cone.total_angle * level);
+          [&](Geodesic& g) { g.add_source_point(cone_data.vertices[0]); }, level, 1, 1, cone.total_angle * level);
     }
   }
 
@@ -288,31 +268,25 @@ void known_lengths()
   const Data grid(planar_grid(16, 16, Diagonals::alternating));
   for (double level : {1., 2., 5., std::sqrt(2.), std::sqrt(5.), 7.5})
     check_length(
-      "grid", grid.mesh, [&](Geodesic& g) { g.add_source_point(grid.vertices[8 * 17 + 8]); }, level,
-      1, 1, 2 * pi * level);
+      "grid", grid.mesh, [&](Geodesic& g) { g.add_source_point(grid.vertices[8 * 17 + 8]); }, level, 1, 1, 2 * pi * level);
   for (double level : {1., 3., 3.5, 15.})
     check_length(
       "grid's left side", grid.mesh,
-      [&](Geodesic& g)
-      {
-        std::vector<test::Surface_mesh::Edge_index> side;
-        for (std::size_t j = 0; j < 16; ++j)
-          side.push_back(
-            grid.mesh.edge(grid.mesh.halfedge(grid.vertices[17 * j], grid.vertices[17 * (j + 1)])));
-        g.add_source_edges(side);
+      [&](Geodesic& g) {
+      std::vector<test::Surface_mesh::Edge_index> side;
+      for (std::size_t j = 0; j < 16; ++j)
+        side.push_back(grid.mesh.edge(grid.mesh.halfedge(grid.vertices[17 * j], grid.vertices[17 * (j + 1)])));
+      g.add_source_edges(side);
       },
       level, 1, 0, 16);
 
   // The offset of a triangle's sides is a loop inside the triangle without edge crossings.
-  const Data triangle(
-    rotated(random_rectangle(3, 4, 0, 0, 1), 9)); // two right triangles with sides 3, 4, 5
+  const Data triangle(rotated(random_rectangle(3, 4, 0, 0, 1), 9)); // two right triangles with sides 3, 4, 5
   for (double level : {0.2, 0.9, 0.999})
     check_length(
       "triangles' sides", triangle.mesh,
-      [&](Geodesic& g)
-      {
-        g.add_source_edges(std::vector<test::Surface_mesh::Edge_index>(edges(triangle.mesh).begin(),
-                                                                       edges(triangle.mesh).end()));
+      [&](Geodesic& g) {
+      g.add_source_edges(std::vector<test::Surface_mesh::Edge_index>(edges(triangle.mesh).begin(), edges(triangle.mesh).end()));
       },
       level, 2, 2, 2 * 12 * (1 - level), 2 * 12);
 }
@@ -329,26 +303,23 @@ void nearly_along_an_edge()
       {
         const double tilt = side * 1e-7 * std::pow(4, i);
         Soup soup;
-        soup.points = {Point_3(-7.5 - 3 * tilt, -3, 0), Point_3(-7.5 + 3 * tilt, 3, 0),
-                       Point_3(0, 0, 0), Point_3(6.3, 0, 0), Point_3(3.2, 5.2, 0),
+        soup.points = {Point_3(-7.5 - 3 * tilt, -3, 0),
+                       Point_3(-7.5 + 3 * tilt, 3, 0),
+                       Point_3(0, 0, 0),
+                       Point_3(6.3, 0, 0),
+                       Point_3(3.2, 5.2, 0),
                        Point_3(3.1, -5.3, 0)};
         for (const std::array<std::size_t, 3>& t :
-             std::vector<std::array<std::size_t, 3>>{
-               {{0, 2, 1}}, {{2, 3, 4}}, {{2, 5, 3}}, {{1, 2, 4}}, {{0, 5, 2}}})
+             std::vector<std::array<std::size_t, 3>>{{{0, 2, 1}}, {{2, 3, 4}}, {{2, 5, 3}}, {{1, 2, 4}}, {{0, 5, 2}}})
           soup.add_triangle(t);
         const Data data(rotated(soup, unsigned(i + 1)));
-        run(std::string(is_point ? "point" : "edge") + " and edge along paths, " +
-              std::to_string(tilt),
-            data.mesh,
-            [&](Geodesic& g)
-            {
-              if (is_point)
-                g.add_source_point(Face_location(
-                  data.faces[0], {{0.25 + 0.5 * tilt, 0.5, 0.25 - 0.5 * tilt}}));
-              else
-                g.add_source_edges(std::vector<test::Surface_mesh::Edge_index>(
-                  1, data.mesh.edge(data.mesh.halfedge(data.vertices[0], data.vertices[1]))));
-            });
+        run(std::string(is_point ? "point" : "edge") + " and edge along paths, " + std::to_string(tilt), data.mesh,
+            [&](Geodesic& g) {
+          if (is_point) g.add_source_point(Face_location(data.faces[0], {{0.25 + 0.5 * tilt, 0.5, 0.25 - 0.5 * tilt}}));
+          else
+            g.add_source_edges(std::vector<test::Surface_mesh::Edge_index>(
+              1, data.mesh.edge(data.mesh.halfedge(data.vertices[0], data.vertices[1]))));
+        });
       }
 }
 
@@ -387,8 +358,7 @@ GEODESIC_OFFSET_TEST(test_offset_curves)
   {
     const std::string name = file.filename().string();
     test::Surface_mesh mesh;
-    if (name.find(name_part) != std::string::npos &&
-        read_data_mesh(file, maximum_faces, mesh).empty())
+    if (name.find(name_part) != std::string::npos && read_data_mesh(file, maximum_faces, mesh).empty())
       run_all_sources(name, mesh, 3);
   }
   print_summary("data directory");

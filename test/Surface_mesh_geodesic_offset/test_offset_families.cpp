@@ -30,8 +30,7 @@ double largest_distance(const test::Surface_mesh& mesh, const Geodesic& geodesic
 {
   double largest = 0;
   for (auto v : vertices(mesh))
-    if (std::isfinite(geodesic.distance_to_sources(v)))
-      largest = (std::max)(largest, geodesic.distance_to_sources(v));
+    if (std::isfinite(geodesic.distance_to_sources(v))) largest = (std::max)(largest, geodesic.distance_to_sources(v));
   return largest;
 }
 
@@ -60,8 +59,8 @@ Offset_curves built(Geodesic& geodesic, const Family& family)
 // Compares every way to request the curves of a family with one level at a time from kept windows. `levels`: those of the
 // family in increasing order; `called`: expected number of levels for a callback.
 template <class Family>
-void compare(const test::Surface_mesh& mesh, const std::function<void(Geodesic&)>& add_sources,
-             const Family& family, const std::vector<double>& levels, std::size_t called)
+void compare(const test::Surface_mesh& mesh, const std::function<void(Geodesic&)>& add_sources, const Family& family,
+             const std::vector<double>& levels, std::size_t called)
 {
   Geodesic kept(mesh), plain(mesh);
   add_sources(kept);
@@ -76,14 +75,11 @@ void compare(const test::Surface_mesh& mesh, const std::function<void(Geodesic&)
   }
   number_of_curves += one_by_one.size();
   const double scale = bounding_box_diagonal(mesh);
-  const auto same = [&](const char* way, const Offset_curves& curves)
-  {
-    for (std::size_t i = 0; i + 1 < curves.size(); ++i)
-      CHECK(curves[i].distance() <= curves[i + 1].distance());
+  const auto same = [&](const char* way, const Offset_curves& curves) {
+    for (std::size_t i = 0; i + 1 < curves.size(); ++i) CHECK(curves[i].distance() <= curves[i + 1].distance());
     CHECK_DETAIL(same_curves(curves, one_by_one, scale, worst_length),
                  std::string(way) + ": " + std::to_string(curves.size()) + " curves of length " +
-                   std::to_string(total_length(curves)) + ", not " +
-                   std::to_string(one_by_one.size()) + " of length " +
+                   std::to_string(total_length(curves)) + ", not " + std::to_string(one_by_one.size()) + " of length " +
                    std::to_string(total_length(one_by_one)));
   };
   same("kept windows", offsets(kept, family));
@@ -91,8 +87,8 @@ void compare(const test::Surface_mesh& mesh, const std::function<void(Geodesic&)
   Geodesic again(mesh);
   add_sources(again);
   same("built with", built(again, family));
-  CHECK(again.is_built() && again.distance_to_sources(*vertices(mesh).begin()) ==
-                              plain.distance_to_sources(*vertices(mesh).begin()));
+  CHECK(again.is_built() &&
+        again.distance_to_sources(*vertices(mesh).begin()) == plain.distance_to_sources(*vertices(mesh).begin()));
   // cutting and keeping need lower envelopes; without them, a few more windows are propagated, most where many meet at
   // once, opposite to the source on a small sphere
   const std::size_t windows = kept.statistics().windows_propagated;
@@ -100,23 +96,18 @@ void compare(const test::Surface_mesh& mesh, const std::function<void(Geodesic&)
   CHECK(plain.statistics().windows_propagated <= windows + windows / 20 + 10);
   if (levels.size() < 3) return;
 
-  const std::vector<double> expected(levels.begin(),
-                                     levels.begin() + static_cast<std::ptrdiff_t>(called));
-  const auto check_received = [&](const char* way, const Received& r)
-  {
-    CHECK_DETAIL(r.distances == expected, std::string(way) + ": called " +
-                                            std::to_string(r.distances.size()) + " times, not " +
+  const std::vector<double> expected(levels.begin(), levels.begin() + static_cast<std::ptrdiff_t>(called));
+  const auto check_received = [&](const char* way, const Received& r) {
+    CHECK_DETAIL(r.distances == expected, std::string(way) + ": called " + std::to_string(r.distances.size()) + " times, not " +
                                             std::to_string(expected.size()));
     same(way, r.curves);
   };
   Received from_kept, from_plain, while_built, while_built_and_kept;
-  const auto to = [](Received& r)
-  { return [&r](const double& d, Offset_curves&& c) { r(d, std::move(c)); }; };
+  const auto to = [](Received& r) { return [&r](const double& d, Offset_curves&& c) { r(d, std::move(c)); }; };
   kept.offset_curves_by_distance(family, to(from_kept));
   plain.offset_curves_by_distance(family, to(from_plain));
   again.build_with_offset_curves_by_distance(family, to(while_built));
-  again.build_with_offset_curves_by_distance(family, to(while_built_and_kept),
-                                             CGAL::parameters::keep_windows(true));
+  again.build_with_offset_curves_by_distance(family, to(while_built_and_kept), CGAL::parameters::keep_windows(true));
   check_received("callback, kept windows", from_kept);
   check_received("callback, windows not kept", from_plain);
   check_received("callback while built", while_built);
@@ -134,7 +125,8 @@ struct Stroke
   Stroke(const Offset_piece& p)
     : face(p.face()), start(p.start_2()), end(p.end_2()), center(p.is_arc() ? p.center() : start),
       radius(p.is_arc() ? p.radius() : 0)
-  {}
+  {
+  }
 
   static double distance(const Point_2& p, const Point_2& q) { return std::sqrt(CGAL::squared_distance(p, q)); }
 
@@ -233,8 +225,7 @@ void limited_to_the_largest_level(const test::Surface_mesh& mesh, const std::fun
     }
 }
 
-void all_ways(const std::string& name, const test::Surface_mesh& mesh,
-              const std::function<void(Geodesic&)>& add_sources)
+void all_ways(const std::string& name, const test::Surface_mesh& mesh, const std::function<void(Geodesic&)>& add_sources)
 {
   Report::instance().set_context(name);
   try
@@ -246,18 +237,14 @@ void all_ways(const std::string& name, const test::Surface_mesh& mesh,
     const double largest = largest_distance(mesh, geodesic);
     const auto part = [&](double x) { return x * largest; };
     compare(mesh, add_sources, part(0.37), {part(0.37)}, 1);
-    compare(mesh, add_sources, std::vector<double>{part(0.1), part(0.45), part(0.9)},
-            {part(0.1), part(0.45), part(0.9)}, 3);
+    compare(mesh, add_sources, std::vector<double>{part(0.1), part(0.45), part(0.9)}, {part(0.1), part(0.45), part(0.9)}, 3);
     // unsorted, repeated, beyond the largest distance
-    compare(
-      mesh, add_sources,
-      std::vector<double>{part(3), part(0.6), part(0.2), part(2), part(0.6), part(0.2), part(0.03)},
-      {part(0.03), part(0.2), part(0.6), part(2), part(3)}, 5);
+    compare(mesh, add_sources, std::vector<double>{part(3), part(0.6), part(0.2), part(2), part(0.6), part(0.2), part(0.03)},
+            {part(0.03), part(0.2), part(0.6), part(2), part(3)}, 5);
     const double spacing = largest / 7.3;
     std::vector<double> multiples;
     for (int i = 1; i <= 12; ++i) multiples.push_back(i * spacing);
-    compare(mesh, add_sources, Levels::equally_spaced(spacing, 5),
-            {multiples.begin(), multiples.begin() + 5}, 5);
+    compare(mesh, add_sources, Levels::equally_spaced(spacing, 5), {multiples.begin(), multiples.begin() + 5}, 5);
     compare(mesh, add_sources, Levels::equally_spaced(spacing, 12), multiples, 12);
     // until covered: one more level than multiples below the farthest vertex may exist inside a face
     const std::size_t covered = offsets(geodesic, multiples[7]).empty() ? 7 : 8;
@@ -272,8 +259,7 @@ void all_ways(const std::string& name, const test::Surface_mesh& mesh,
 }
 
 // The number of windows does not depend on the number of levels.
-void one_propagation(const test::Surface_mesh& mesh,
-                     const std::function<void(Geodesic&)>& add_sources)
+void one_propagation(const test::Surface_mesh& mesh, const std::function<void(Geodesic&)>& add_sources)
 {
   Report::instance().set_context("one propagation");
   Geodesic geodesic(mesh);
@@ -291,9 +277,8 @@ void one_propagation(const test::Surface_mesh& mesh,
     for (std::size_t n : {1, 200})
     {
       Offset_curves curves;
-      geodesic.build_with_offset_curves(
-        Levels::equally_spaced(share * largest / (double(n) + 0.5), n), std::back_inserter(curves),
-        maximum);
+      geodesic.build_with_offset_curves(Levels::equally_spaced(share * largest / (double(n) + 0.5), n),
+                                        std::back_inserter(curves), maximum);
       CHECK(geodesic.statistics().windows_propagated == expected);
       CHECK(curves.size() >= n);
       // pieces are counted before neighbours across an edge become one arc
@@ -324,15 +309,15 @@ struct Counting_traits : CGAL::Surface_mesh_geodesic_offset_traits<Kernel, test:
 };
 
 struct Enough : std::exception
-{};
+{
+};
 
 // On a long strip, curves arrive soon after the front has passed them; an exception of the callback stops the propagation
 // and leaves the last build unchanged.
 void streaming()
 {
   Report::instance().set_context("streaming");
-  const Generated_mesh<test::Surface_mesh> strip(
-    planar_grid(400, 4, Diagonals::alternating, 1, 0.2, 3));
+  const Generated_mesh<test::Surface_mesh> strip(planar_grid(400, 4, Diagonals::alternating, 1, 0.2, 3));
   typedef CGAL::Surface_mesh_geodesic_offset<Counting_traits> Counted;
   Counted geodesic(strip.mesh);
   const auto left = strip.vertices[0], right = strip.vertices[400];
@@ -347,8 +332,7 @@ void streaming()
     std::vector<std::size_t> counts;
     count = 0;
     geodesic.build_with_offset_curves_by_distance(
-      Levels::equally_spaced(20, 19),
-      [&](double, std::vector<Counted::Offset_curve>&&) { counts.push_back(count); },
+      Levels::equally_spaced(20, 19), [&](double, std::vector<Counted::Offset_curve>&&) { counts.push_back(count); },
       CGAL::parameters::keep_windows(keep));
     CHECK_DETAIL(count == all, std::to_string(count) + ", without offsets " + std::to_string(all));
     if (CHECK(counts.size() == 19))
@@ -364,32 +348,26 @@ void streaming()
   geodesic.clear_sources();
   geodesic.add_source_point(right);
   count = 0;
-  CHECK_THROWS(
-    geodesic.build_with_offset_curves_by_distance(Levels::equally_spaced(20),
-                                                  [](double d, std::vector<Counted::Offset_curve>&&)
-                                                  {
-                                                    if (d > 50) throw Enough();
-                                                  }),
-    Enough);
+  CHECK_THROWS(geodesic.build_with_offset_curves_by_distance(
+                 Levels::equally_spaced(20),
+                 [](double d, std::vector<Counted::Offset_curve>&&) {
+    if (d > 50) throw Enough();
+                 }),
+               Enough);
   CHECK_DETAIL(count < all / 4,
                std::to_string(count) + " of " + std::to_string(all)); // it stopped at 60
-  CHECK(geodesic.is_built() && geodesic.distance_to_sources(right) == distance &&
-        geodesic.distance_to_sources(left) == 0);
+  CHECK(geodesic.is_built() && geodesic.distance_to_sources(right) == distance && geodesic.distance_to_sources(left) == 0);
   std::size_t calls = 0;
-  geodesic.offset_curves_by_distance(100.,
-                                     [&](double, std::vector<Counted::Offset_curve>&& curves)
-                                     {
-                                       ++calls;
-                                       CHECK(curves.size() == 1 &&
-                                             curves[0].number_of_pieces() > 0);
-                                     });
+  geodesic.offset_curves_by_distance(100., [&](double, std::vector<Counted::Offset_curve>&& curves) {
+    ++calls;
+    CHECK(curves.size() == 1 && curves[0].number_of_pieces() > 0);
+  });
   CHECK(calls == 1);
-  CHECK_THROWS(geodesic.offset_curves_by_distance(
-                 100., [](double, std::vector<Counted::Offset_curve>&&) { throw Enough(); }),
+  CHECK_THROWS(geodesic.offset_curves_by_distance(100., [](double, std::vector<Counted::Offset_curve>&&) { throw Enough(); }),
                Enough);
   // a rejected selection also leaves the last build unchanged
-  geodesic.add_source_polyline(std::vector<Counted::Face_location>{
-    {strip.faces[0], {{0.4, 0.3, 0.3}}}, {strip.faces[0], {{0.3, 0.4, 0.3}}}});
+  geodesic.add_source_polyline(std::vector<Counted::Face_location>{{strip.faces[0], {{0.4, 0.3, 0.3}}},
+                                                                   {strip.faces[0], {{0.3, 0.4, 0.3}}}});
   std::vector<Counted::Offset_curve> none;
   CHECK_THROWS(geodesic.build_with_offset_curves(1., std::back_inserter(none),
                                                  CGAL::parameters::offset_side(CGAL::Offset_side::INSIDE)),
@@ -422,13 +400,11 @@ void long_faces()
   const double spacing = 0.2;
   std::vector<std::pair<double, std::size_t>> calls; // distance, count
   count = 0;
-  geodesic.build_with_offset_curves_by_distance(
-    Levels::equally_spaced(spacing, 1900),
-    [&](double d, std::vector<Counted::Offset_curve>&& curves)
-    {
-      CHECK(!curves.empty());
-      calls.push_back({d, count});
-    });
+  geodesic.build_with_offset_curves_by_distance(Levels::equally_spaced(spacing, 1900),
+                                                [&](double d, std::vector<Counted::Offset_curve>&& curves) {
+    CHECK(!curves.empty());
+    calls.push_back({d, count});
+  });
   CHECK(count == all && calls.size() == 1900);
   // A fourth as many pieces as the mesh has faces may wait, and each level has six pieces or more.
   const double longest_wait = spacing * double(num_faces(fan.mesh)) / 4 / 6;
@@ -500,9 +476,8 @@ void add_levels(std::vector<double>& levels, double low, double high, int n)
 void faces_finalized_together()
 {
   Report::instance().set_context("faces that are finalized together");
-  const auto run = [&](const std::string& name, const Soup& soup, const std::function<void(Geodesic&)>& add_source,
-                       double length)
-  {
+  const auto run =
+    [&](const std::string& name, const Soup& soup, const std::function<void(Geodesic&)>& add_source, double length) {
     std::vector<double> levels;
     add_levels(levels, 0, length, 500);
     check_waiting_pieces(name, soup, add_source, levels);
@@ -546,12 +521,10 @@ std::size_t add_part(Soup& soup, const Soup& part, double scale, double x)
 void dense_faces()
 {
   Report::instance().set_context("dense faces");
-  const auto add_source = [](Geodesic& g, std::size_t vertex, double start_value)
-  {
+  const auto add_source = [](Geodesic& g, std::size_t vertex, double start_value) {
     g.add_source_point(test::Surface_mesh::Vertex_index(unsigned(vertex)), CGAL::parameters::start_value(start_value));
   };
-  const auto add_sources_in_faces = [](Geodesic& g, int first, double start_value)
-  {
+  const auto add_sources_in_faces = [](Geodesic& g, int first, double start_value) {
     test::Random random(1);
     for (int i = 0; i < 60; ++i)
     {
@@ -562,23 +535,24 @@ void dense_faces()
   };
   std::vector<double> levels;
   add_levels(levels, 0, 0.2, 500);
-  check_waiting_pieces("many sources in a face", planar_grid(3, 1), [&](Geodesic& g) { add_sources_in_faces(g, 0, 0); }, levels);
+  check_waiting_pieces(
+    "many sources in a face", planar_grid(3, 1), [&](Geodesic& g) { add_sources_in_faces(g, 0, 0); }, levels);
 
   std::vector<double> small_levels;
   for (int i = 0; i < 200; ++i) small_levels.push_back(std::pow(10, -5 + 0.0275 * i));
-  check_waiting_pieces("crossing segments in a face", planar_grid(3, 3),
-                       [](Geodesic& g)
-                       {
-                         test::Random random(7);
-                         std::vector<Face_location> polyline;
-                         for (int i = 0; i < 30; ++i)
-                         {
-                           const double u = uniform(random, 0, 1), v = uniform(random, 0, 1 - u);
-                           polyline.push_back({test::Surface_mesh::Face_index(5), {u, v, 1 - u - v}});
-                         }
-                         g.add_source_polyline(polyline);
-                       },
-                       small_levels);
+  check_waiting_pieces(
+    "crossing segments in a face", planar_grid(3, 3),
+    [](Geodesic& g) {
+    test::Random random(7);
+    std::vector<Face_location> polyline;
+    for (int i = 0; i < 30; ++i)
+    {
+      const double u = uniform(random, 0, 1), v = uniform(random, 0, 1 - u);
+      polyline.push_back({test::Surface_mesh::Face_index(5), {u, v, 1 - u - v}});
+    }
+    g.add_source_polyline(polyline);
+    },
+    small_levels);
 
   Soup parts;
   add_part(parts, planar_grid(1, 1), 4, 0);
@@ -588,14 +562,14 @@ void dense_faces()
   levels.clear();
   add_levels(levels, 0, 3.99, 400);
   add_levels(levels, 20, 20.1, 600);
-  check_waiting_pieces("many sources in a face, later", parts,
-                       [&](Geodesic& g)
-                       {
-                         add_source(g, 0, 0);
-                         add_source(g, empty, 4);
-                         add_sources_in_faces(g, dense, 20);
-                       },
-                       levels);
+  check_waiting_pieces(
+    "many sources in a face, later", parts,
+    [&](Geodesic& g) {
+    add_source(g, 0, 0);
+    add_source(g, empty, 4);
+    add_sources_in_faces(g, dense, 20);
+    },
+    levels);
 
   Soup shadow;
   add_part(shadow, planar_grid(1, 1), 4, 0);
@@ -609,19 +583,18 @@ void dense_faces()
   levels.clear();
   add_levels(levels, 0.5, 1, 30);
   add_levels(levels, 10.005, 10.985, 470);
-  check_waiting_pieces("in the shadow of a vertex", shadow,
-                       [&](Geodesic& g)
-                       {
-                         add_source(g, 0, 0);
-                         add_source(g, disc, 3);
-                         add_source(g, source, 9);
-                       },
-                       levels);
+  check_waiting_pieces(
+    "in the shadow of a vertex", shadow,
+    [&](Geodesic& g) {
+    add_source(g, 0, 0);
+    add_source(g, disc, 3);
+    add_source(g, source, 9);
+    },
+    levels);
 }
 
 // All const members from several threads at once.
-void threads(const test::Surface_mesh& mesh, const std::function<void(Geodesic&)>& add_sources,
-             bool keep)
+void threads(const test::Surface_mesh& mesh, const std::function<void(Geodesic&)>& add_sources, bool keep)
 {
   Report::instance().set_context(keep ? "threads, kept windows" : "threads");
   Geodesic geodesic(mesh);
@@ -638,8 +611,7 @@ void threads(const test::Surface_mesh& mesh, const std::function<void(Geodesic&)
       return pieces == o.pieces && left == o.left && distances == o.distances && points == o.points;
     }
   };
-  const auto ask = [&]()
-  {
+  const auto ask = [&]() {
     Answers a;
     const Offset_curves curves = offsets(geodesic, Levels::equally_spaced(largest / 9.5, 9));
     a.pieces = sorted_pieces(curves);
@@ -651,8 +623,7 @@ void threads(const test::Surface_mesh& mesh, const std::function<void(Geodesic&)
       {
         a.distances.push_back(geodesic.distance_to_sources(Face_location(f, {{0.3, 0.3, 0.4}})));
         std::vector<Face_location> path;
-        geodesic.shortest_path_to_sources(Face_location(f, {{0.5, 0.3, 0.2}}),
-                                          std::back_inserter(path));
+        geodesic.shortest_path_to_sources(Face_location(f, {{0.5, 0.3, 0.2}}), std::back_inserter(path));
         a.distances.push_back(double(path.size()));
       }
     return a;
@@ -670,15 +641,12 @@ void run(const std::string& name, const test::Surface_mesh& mesh, unsigned seed)
 {
   const auto sections = random_plane_section(mesh, seed);
   Random random(seed);
-  const auto f = *std::next(faces(mesh).begin(),
-                            static_cast<std::ptrdiff_t>(uniform_index(random, num_faces(mesh))));
+  const auto f = *std::next(faces(mesh).begin(), static_cast<std::ptrdiff_t>(uniform_index(random, num_faces(mesh))));
   const Face_location inside(f, random_barycentric(random));
-  const auto section = [&](Geodesic& g)
-  {
+  const auto section = [&](Geodesic& g) {
     for (const auto& s : sections) g.add_source_polyline(s.locations, s.closed);
   };
-  all_ways(name + ", vertex", mesh,
-           [&](Geodesic& g) { g.add_source_point(*vertices(mesh).begin()); });
+  all_ways(name + ", vertex", mesh, [&](Geodesic& g) { g.add_source_point(*vertices(mesh).begin()); });
   all_ways(name + ", point in a face", mesh, [&](Geodesic& g) { g.add_source_point(inside); });
   all_ways(name + ", plane section", mesh, section);
 }
@@ -695,8 +663,7 @@ void generated_meshes()
     {"jittered grid", jittered_grid(14, 10, 7)},
     {"grid", planar_grid(10, 10, Diagonals::alternating)}};
   unsigned seed = 20;
-  for (const auto& soup : generated)
-    run(soup.first, Generated_mesh<test::Surface_mesh>(soup.second).mesh, ++seed);
+  for (const auto& soup : generated) run(soup.first, Generated_mesh<test::Surface_mesh>(soup.second).mesh, ++seed);
 }
 
 void data_meshes()
@@ -704,8 +671,7 @@ void data_meshes()
   for (const char* name : {"eight.off", "anchor.off", "elephant.off", "mask_cone.off", "rotor.off"})
   {
     test::Surface_mesh mesh;
-    if (read_data_mesh(std::filesystem::path(data_directory()) / name, 10000, mesh).empty())
-      run(name, mesh, 3);
+    if (read_data_mesh(std::filesystem::path(data_directory()) / name, 10000, mesh).empty()) run(name, mesh, 3);
   }
 }
 
@@ -724,8 +690,7 @@ GEODESIC_OFFSET_TEST(test_offset_families)
   std::cout.precision(3);
   const Generated_mesh<test::Surface_mesh> data(torus(40, 30));
   const auto sections = random_plane_section(data.mesh, 3);
-  const auto section = [&](Geodesic& g)
-  {
+  const auto section = [&](Geodesic& g) {
     for (const auto& s : sections) g.add_source_polyline(s.locations, s.closed);
   };
   const auto vertex = [&](Geodesic& g) { g.add_source_point(data.vertices[0]); };

@@ -150,8 +150,7 @@ void curves_that_are_not_in_a_plane()
   const Soup cube = cube_grid(4);
   Surface_mesh mesh;
   CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh(cube.points, cube.triangles, mesh);
-  const auto centers = [&](bool several)
-  {
+  const auto centers = [&](bool several) {
     Geodesic geodesic(mesh);
     CGAL::Bbox_3 box;
     for (const Point_3& p : cube.points) box += p.bbox();
@@ -211,8 +210,13 @@ void files()
   const Example<Surface_mesh> example(soup, soup.points[4 * 9 + 4], {1, 2.5});
   const auto& curves = example.curves;
   const std::pair<std::string, std::string> names[] = {
-    {"polylines", "a.polylines.txt"}, {"vtk", "a.VTK"}, {"vtp", "a.vtp"}, {"obj", "a.b.obj"},
-    {"csv", "a.CSV"}, {"dxf", "a.Dxf"}, {"svg", "a.svg"}};
+    {"polylines", "a.polylines.txt"},
+    {"vtk", "a.VTK"},
+    {"vtp", "a.vtp"},
+    {"obj", "a.b.obj"},
+    {"csv", "a.CSV"},
+    {"dxf", "a.Dxf"},
+    {"svg", "a.svg"}};
   for (const auto& [writer_name, function] : writers(curves))
     for (const auto& [name, file_name] : names)
     {
@@ -325,8 +329,7 @@ void units()
   namespace IO = CGAL::IO;
   const Soup soup = jittered_grid(8, 8, 3);
   const Example<Surface_mesh> example(soup, soup.points[4 * 9 + 4], {1, 2.5});
-  const auto text_after = [](const std::string& text, const std::string& key, std::size_t length)
-  {
+  const auto text_after = [](const std::string& text, const std::string& key, std::size_t length) {
     const std::size_t at = text.find(key);
     return at == std::string::npos ? std::string() : text.substr(at + key.size(), length);
   };
@@ -394,8 +397,7 @@ Soup rounded(Soup soup)
 void planar_meshes()
 {
   Report::instance().set_context("planar meshes");
-  const auto can_write = [](const Soup& soup)
-  {
+  const auto can_write = [](const Soup& soup) {
     Surface_mesh mesh;
     CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh(soup.points, soup.triangles, mesh);
     const bool result = CGAL::IO::can_write_offset_SVG(mesh);

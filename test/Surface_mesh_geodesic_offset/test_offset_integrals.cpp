@@ -41,19 +41,29 @@ void with_sources(const Surface_mesh& mesh, const Function& f)
   const auto vertex = *mesh.vertices().begin();
   const Face_location inside(Surface_mesh::Face_index(mesh.number_of_faces() / 2), random_barycentric(random));
   const auto sections = random_plane_section(mesh, 2);
-  f("vertex", [&](Geodesic& g) { g.add_source_point(vertex); }, false);
-  f("points", [&](Geodesic& g) {
+  f(
+    "vertex", [&](Geodesic& g) { g.add_source_point(vertex); }, false);
+  f(
+    "points",
+    [&](Geodesic& g) {
     g.add_source_point(inside);
     g.add_source_point(vertex);
-  }, false);
+    },
+    false);
   if (sections.empty() || sections[0].locations.size() < 3) return;
-  f("section", [&](Geodesic& g) {
+  f(
+    "section",
+    [&](Geodesic& g) {
     for (const auto& s : sections) g.add_source_polyline(s.locations, s.closed);
-  }, true);
-  f("half a section", [&](Geodesic& g) {
+    },
+    true);
+  f(
+    "half a section",
+    [&](Geodesic& g) {
     const auto& l = sections[0].locations;
     g.add_source_polyline(std::vector<Face_location>(l.begin(), l.begin() + std::ptrdiff_t(l.size() + 1) / 2));
-  }, true);
+    },
+    true);
 }
 
 void derivatives_and_sides(const std::string& name, const Surface_mesh& mesh, std::size_t count)
@@ -73,7 +83,8 @@ void derivatives_and_sides(const std::string& name, const Surface_mesh& mesh, st
       const Lengths_by_side lengths = lengths_by_side(geodesic, d);
       ++totals.sides;
       totals.side = (std::max)(totals.side, lengths.relative_difference());
-      CHECK_DETAIL(lengths.relative_difference() <= 1e-12 && lengths.left >= 0 && lengths.right >= 0 && lengths.beyond >= -1e-12,
+      CHECK_DETAIL(lengths.relative_difference() <= 1e-12 && lengths.left >= 0 && lengths.right >= 0 &&
+                     lengths.beyond >= -1e-12,
                    "at " + std::to_string(d) + ", " + values(lengths.left + lengths.right + lengths.beyond, lengths.whole));
     }
   });
@@ -173,6 +184,7 @@ GEODESIC_OFFSET_TEST(test_offset_integrals)
   std::cout.precision(3);
   std::cout << totals.derivatives.distances << " distances, " << totals.derivatives.at_events
             << " of them at events; derivatives off by at most " << totals.derivatives.worst << "; " << totals.sides
-            << " levels by sides, off by " << totals.side << "; " << totals.levels << " levels for integrals, off by " << totals.integral << " of the area" << std::endl;
+            << " levels by sides, off by " << totals.side << "; " << totals.levels << " levels for integrals, off by "
+            << totals.integral << " of the area" << std::endl;
   return result;
 }

@@ -84,13 +84,14 @@ void few_points(const std::string& name, const Curves& curves, double tolerance,
 
 void generated()
 {
-  const std::pair<const char*, Soup> soups[] = {{"cube", cube_grid(10)},
-                                                {"turned cube", rotated(cube_grid(12), 5)},
-                                                {"grid", jittered_grid(40, 40, 7)},
-                                                {"coarse rectangle", random_rectangle(4, 3, 5, 2, 3)},
-                                                {"torus", torus(40, 30)},
-                                                {"icosphere", icosphere(3)},
-                                                {"needles", needle_fan(60)}};
+  const std::pair<const char*, Soup> soups[] = {
+    {"cube", cube_grid(10)},
+    {"turned cube", rotated(cube_grid(12), 5)},
+    {"grid", jittered_grid(40, 40, 7)},
+    {"coarse rectangle", random_rectangle(4, 3, 5, 2, 3)},
+    {"torus", torus(40, 30)},
+    {"icosphere", icosphere(3)},
+    {"needles", needle_fan(60)}};
   for (const auto& [name, soup] : soups)
   {
     const Surface_mesh mesh = mesh_of(soup);
@@ -139,10 +140,10 @@ void squares()
       const Vector_3 x = (points[20] - points[0]) / width, y = (points[21 * 20] - points[0]) / width;
       const auto at = [&](double u, double v) { return origin + width * (u * x + v * y); };
       const double low = 0.2 + shift * 0.1, high = 0.8 - shift * 0.07; // less than half of the area
-      const double inner = d / 20; // in widths
+      const double inner = d / 20;                                     // in widths
       Geodesic geodesic(mesh);
-      const auto square = geodesic.locate_polyline(
-        std::vector<Point_3>{at(low, low), at(high, low), at(high, high), at(low, high)}, true);
+      const auto square =
+        geodesic.locate_polyline(std::vector<Point_3>{at(low, low), at(high, low), at(high, high), at(low, high)}, true);
       geodesic.add_source_polyline(square.locations, square.is_closed);
       geodesic.build();
       Curves curves;
@@ -159,8 +160,7 @@ void squares()
           for (double v : {low + inner, high - inner})
           {
             double nearest = infinity;
-            for (const Point_3& p : polyline)
-              nearest = (std::min)(nearest, std::sqrt(CGAL::squared_distance(p, at(u, v))));
+            for (const Point_3& p : polyline) nearest = (std::min)(nearest, std::sqrt(CGAL::squared_distance(p, at(u, v))));
             // a corner may be replaced by a point where the polyline leaves its face, within a fraction of the tolerance
             CHECK_DETAIL(nearest <= tolerance * width / 256 + 1e-11 * width, values(nearest, 0));
           }
@@ -193,8 +193,7 @@ void true_arcs()
       const Vector_3 x = soup.points[n] - soup.points[0], y = soup.points[(n + 1) * n] - soup.points[0];
       const auto at = [&](double u, double v) { return soup.points[0] + u * x + v * y; };
       const double width = std::sqrt(x * x);
-      const auto write = [&](Geodesic& geodesic, double distance, std::string& dxf, std::string& svg)
-      {
+      const auto write = [&](Geodesic& geodesic, double distance, std::string& dxf, std::string& svg) {
         Curves curves;
         geodesic.build_with_offset_curves(distance, std::back_inserter(curves));
         std::ostringstream dxf_stream, svg_stream;
@@ -283,8 +282,8 @@ bool is_refused_by_writers(const Curves& curves, double tolerance)
       }
       return false;
     };
-    result &= is_refused(
-      [&] { CGAL::IO::write_offset_curves(os, format, curves, CGAL::parameters::chord_tolerance(tolerance)); });
+    result &=
+      is_refused([&] { CGAL::IO::write_offset_curves(os, format, curves, CGAL::parameters::chord_tolerance(tolerance)); });
   }
   return result;
 }
@@ -320,11 +319,11 @@ void tiny_tolerances()
     CHECK_THROWS(curves[0].points(tolerance, std::back_inserter(points)), std::length_error);
     CHECK(points.empty() && is_refused_by_writers<std::length_error>(curves, tolerance));
   }
-  for (const double tolerance : {0., -1e-300, std::nan("")}) CHECK(is_refused_by_writers<std::invalid_argument>(curves, tolerance));
+  for (const double tolerance : {0., -1e-300, std::nan("")})
+    CHECK(is_refused_by_writers<std::invalid_argument>(curves, tolerance));
   // the arcs of SVG files need no chords
   std::ostringstream os;
-  CHECK(CGAL::IO::write_offset_curves(os, CGAL::IO::Offset_file_format::SVG, curves,
-                                      CGAL::parameters::chord_tolerance(1e-300)));
+  CHECK(CGAL::IO::write_offset_curves(os, CGAL::IO::Offset_file_format::SVG, curves, CGAL::parameters::chord_tolerance(1e-300)));
   CHECK(!os.str().empty());
 }
 
@@ -358,7 +357,8 @@ void values_of_points()
   const Surface_mesh mesh = mesh_of(random_rectangle(4, 3, 100, 3, 1));
   Geodesic geodesic(mesh);
   const Point_3 a(1.5, 1.4, 0), b(2.3, 1.6, 0);
-  const std::size_t first = geodesic.add_source_point(geodesic.locate(a)), second = geodesic.add_source_point(geodesic.locate(b));
+  const std::size_t first = geodesic.add_source_point(geodesic.locate(a)),
+                    second = geodesic.add_source_point(geodesic.locate(b));
   for (double tolerance : {1e-3, 0.05, 0.3, 10.})
   {
     Curves curves;
@@ -366,7 +366,9 @@ void values_of_points()
     if (!CHECK(curves.size() == 1)) return;
     std::stringstream os;
     CHECK(CGAL::IO::write_offset_VTK(os, curves, tolerance));
-    const auto skip_to = [&](const std::string& word) { for (std::string w; w != word && os >> w;) continue; };
+    const auto skip_to = [&](const std::string& word) {
+      for (std::string w; w != word && os >> w;) continue;
+    };
     std::size_t n = 0;
     skip_to("POINTS");
     os >> n;
@@ -383,8 +385,9 @@ void values_of_points()
     for (std::size_t i = 0; i < n; ++i)
     {
       // a point belongs to its source, or to both; a segment to the source of its end
-      const auto off = [&](const Point_3& p, std::size_t s)
-      { return std::sqrt(CGAL::squared_distance(p, s == first ? a : b)) - 0.7; };
+      const auto off = [&](const Point_3& p, std::size_t s) {
+        return std::sqrt(CGAL::squared_distance(p, s == first ? a : b)) - 0.7;
+      };
       CHECK(sources[i] == first || sources[i] == second);
       const std::size_t next = (i + 1) % n, s = sources[next];
       CHECK_DETAIL(std::abs(off(points[i], s)) <= 1e-10 && std::abs(off(points[next], s)) <= 1e-10,
@@ -399,14 +402,15 @@ void values_of_points()
 
 GEODESIC_OFFSET_TEST(test_offset_points)
 {
-  const std::vector<std::pair<const char*, void (*)()>> tests = {{"squares", squares},
-                                                               {"true arcs", true_arcs},
-                                                               {"turn back", turn_back},
-                                                               {"circles in faces", circles_in_faces},
-                                                               {"tiny tolerances", tiny_tolerances},
-                                                               {"small curves", small_curves},
-                                                               {"values of points", values_of_points},
-                                                               {"generated meshes", generated},
-                                                               {data_case, data_meshes}};
+  const std::vector<std::pair<const char*, void (*)()>> tests = {
+    {"squares", squares},
+    {"true arcs", true_arcs},
+    {"turn back", turn_back},
+    {"circles in faces", circles_in_faces},
+    {"tiny tolerances", tiny_tolerances},
+    {"small curves", small_curves},
+    {"values of points", values_of_points},
+    {"generated meshes", generated},
+    {data_case, data_meshes}};
   return run_tests("test_offset_points", tests);
 }

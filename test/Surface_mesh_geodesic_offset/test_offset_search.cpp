@@ -28,10 +28,9 @@ using namespace test;
 struct Plain_piece
 {
   explicit Plain_piece(const Offset_piece& p)
-    : in_face(p.face()), straight(p.is_segment()),
-      line(straight ? p.supporting_line() : Offset_piece::Line_2()),
-      middle(straight ? Point_2() : p.center()), r(straight ? 0 : p.radius()), turn(p.angle()),
-      extent(p.length()), from(p.start_2()), to(p.end_2()), at_start(p.start()), at_end(p.end())
+    : in_face(p.face()), straight(p.is_segment()), line(straight ? p.supporting_line() : Offset_piece::Line_2()),
+      middle(straight ? Point_2() : p.center()), r(straight ? 0 : p.radius()), turn(p.angle()), extent(p.length()),
+      from(p.start_2()), to(p.end_2()), at_start(p.start()), at_end(p.end())
   {
     for (int i = 1; i < parts; ++i)
     {
@@ -52,14 +51,8 @@ struct Plain_piece
   Face_location start() const { return at_start; }
   Face_location end() const { return at_end; }
   // The judge requests only quarters.
-  Face_location location(double t) const
-  {
-    return t <= 0 ? at_start : t >= 1 ? at_end : inside[std::size_t(t * parts) - 1];
-  }
-  Point_2 point_2(double t) const
-  {
-    return t <= 0 ? from : t >= 1 ? to : inside_2[std::size_t(t * parts) - 1];
-  }
+  Face_location location(double t) const { return t <= 0 ? at_start : t >= 1 ? at_end : inside[std::size_t(t * parts) - 1]; }
+  Point_2 point_2(double t) const { return t <= 0 ? from : t >= 1 ? to : inside_2[std::size_t(t * parts) - 1]; }
 
   static constexpr int parts = 4;
   Surface_mesh::Face_index in_face;
@@ -101,9 +94,10 @@ struct Judged
 {
   template <class AddSources>
   Judged(const Surface_mesh& mesh, const AddSources& add_sources)
-    : geodesic(built(mesh, add_sources)), surface(geodesic, mesh),
-      features(geodesic, mesh, surface, random), judge(surface, features)
-  {}
+    : geodesic(built(mesh, add_sources)), surface(geodesic, mesh), features(geodesic, mesh, surface, random),
+      judge(surface, features)
+  {
+  }
 
   template <class Curves>
   Verdict operator()(double level, const Curves& curves)
@@ -131,14 +125,13 @@ private:
 };
 
 template <class Damage>
-void expect(Judged& judged, const std::string& name, double level, Plain_curves curves,
-            const Damage& damage, std::initializer_list<Fault> faults)
+void expect(Judged& judged, const std::string& name, double level, Plain_curves curves, const Damage& damage,
+            std::initializer_list<Fault> faults)
 {
   damage(curves);
   const Verdict verdict = judged(level, curves);
   CHECK_DETAIL(!verdict.is_right(), name + " is not found");
-  for (const Fault f : faults)
-    CHECK_DETAIL(verdict.faults[f] > 0, name + ": no " + name_of(f) + text_of(verdict));
+  for (const Fault f : faults) CHECK_DETAIL(verdict.faults[f] > 0, name + ": no " + name_of(f) + text_of(verdict));
 }
 
 // `Judged` detects each kind of damage of a curve that crosses at least five faces.
@@ -158,18 +151,19 @@ void damages(const std::string& name, const Soup& soup, const AddSources& add_so
   const Verdict same = judged(level, plain);
   CHECK_DETAIL(same.is_right() && same.area == right.area && same.length == right.length, text_of(same));
   // the longest curve first, its longest piece second
-  std::sort(plain.begin(), plain.end(), [](const Plain_curve& a, const Plain_curve& b)
-            { return a.pieces.size() > b.pieces.size(); });
+  std::sort(plain.begin(), plain.end(),
+            [](const Plain_curve& a, const Plain_curve& b) { return a.pieces.size() > b.pieces.size(); });
   auto& pieces = plain[0].pieces;
   if (!CHECK(pieces.size() > 4 && plain[0].closed)) return;
-  const auto longest = std::max_element(pieces.begin(), pieces.end(),
-                                        [](const Plain_piece& a, const Plain_piece& b)
-                                        { return a.extent < b.extent; });
+  const auto longest = std::max_element(pieces.begin(), pieces.end(), [](const Plain_piece& a, const Plain_piece& b) {
+    return a.extent < b.extent;
+  });
   std::rotate(pieces.begin(), longest, pieces.end());
   std::rotate(pieces.begin(), pieces.end() - 1, pieces.end());
 
-  const auto with = [&](const std::string& what, std::initializer_list<Fault> faults, const auto& damage)
-  { expect(judged, what, level, plain, damage, faults); };
+  const auto with = [&](const std::string& what, std::initializer_list<Fault> faults, const auto& damage) {
+    expect(judged, what, level, plain, damage, faults);
+  };
   with("a missing curve", {EDGE}, [](Plain_curves& c) { c.erase(c.begin()); });
   with("a curve that is there twice", {EDGE}, [](Plain_curves& c) { c.push_back(c[0]); });
   with("no curve", {EDGE, FACE}, [](Plain_curves& c) { c.clear(); });
@@ -177,8 +171,7 @@ void damages(const std::string& name, const Soup& soup, const AddSources& add_so
   with("a curve without pieces", {GAP}, [](Plain_curves& c) { c[0].pieces.clear(); });
   with("an open end in a face", {GAP}, [](Plain_curves& c) { c[0].closed = false; });
   with("another radius", {OFF}, [](Plain_curves& c) { c[0].pieces[1].r *= 1 + 1e-7; });
-  with("a turn of nearly a whole circle", {TURN},
-       [](Plain_curves& c) { c[0].pieces[1].turn = 2 * CGAL_PI - 1e-3; });
+  with("a turn of nearly a whole circle", {TURN}, [](Plain_curves& c) { c[0].pieces[1].turn = 2 * CGAL_PI - 1e-3; });
   with("a negative length", {TURN}, [](Plain_curves& c) { c[0].pieces[1].extent *= -1; });
   with("a turn that does not fit the chord", {TURN}, [](Plain_curves& c) { c[0].pieces[1].turn += 1e-3; });
   with("a point off the level", {OFF}, [](Plain_curves& c) {
@@ -205,28 +198,34 @@ void damages(const std::string& name, const Soup& soup, const AddSources& add_so
 void backward_segment()
 {
   const Generated_mesh<Surface_mesh> data(planar_grid(4, 4));
-  Judged judged(data.mesh, [&](Geodesic& g) {
-    g.add_source_plane_section(Geodesic::Plane_3(0, 1, 0, -1));
-  });
+  Judged judged(data.mesh, [&](Geodesic& g) { g.add_source_plane_section(Geodesic::Plane_3(0, 1, 0, -1)); });
   const Offset_curves curves = offsets(judged.geodesic, 1.25);
   Plain_curves plain;
   for (const Offset_curve& c : curves) plain.emplace_back(c);
   CHECK(judged(1.25, plain).is_right());
   if (!CHECK(plain.size() == 1 && plain[0].pieces.size() > 3)) return;
-  expect(judged, "a segment that runs backwards", 1.25, plain, [](Plain_curves& c) {
+  expect(
+    judged, "a segment that runs backwards", 1.25, plain,
+    [](Plain_curves& c) {
     Plain_piece& p = c[0].pieces[1];
     std::swap(p.from, p.to);
-  }, {TURN});
+    },
+    {TURN});
 }
 
 void judge_finds_damage()
 {
-  damages("sphere", icosphere(1), [](Geodesic& g, const auto& data) { g.add_source_point(data.vertices[3]); }, 1.1);
-  damages("jittered grid", jittered_grid(9, 9, 4), [](Geodesic& g, const auto& data) {
+  damages(
+    "sphere", icosphere(1), [](Geodesic& g, const auto& data) { g.add_source_point(data.vertices[3]); }, 1.1);
+  damages(
+    "jittered grid", jittered_grid(9, 9, 4),
+    [](Geodesic& g, const auto& data) {
     g.add_source_point(data.vertices[44]);
     g.add_source_point(data.vertices[46]);
-  }, 2.5);
-  damages("torus", torus(9, 7), [](Geodesic& g, const auto& data) { g.add_source_point(data.vertices[5]); }, 0.7);
+    },
+    2.5);
+  damages(
+    "torus", torus(9, 7), [](Geodesic& g, const auto& data) { g.add_source_point(data.vertices[5]); }, 0.7);
   Report::instance().set_context("segment");
   backward_segment();
 }
@@ -306,9 +305,8 @@ void noisy_grid()
 void float_grid()
 {
   const Surface_mesh mesh = data_mesh("float_grid.off");
-  const std::vector<Point_3> line = {
-    Point_3(-2.8866896629333496, -3.258190393447876, -0.98153901100158691),
-    Point_3(-0.82976323366165161, -3.1763045787811279, -4.4111671447753906)};
+  const std::vector<Point_3> line = {Point_3(-2.8866896629333496, -3.258190393447876, -0.98153901100158691),
+                                     Point_3(-0.82976323366165161, -3.1763045787811279, -4.4111671447753906)};
   const auto add = [&](Geodesic& g) { g.add_source_polyline(g.locate_polyline(line).locations); };
   open_curves(mesh, add, 5, 3, 4.9583, 1e-4);
 }
@@ -317,25 +315,27 @@ void float_grid()
 void segment_beside_edge()
 {
   Soup soup;
-  soup.points = {Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0, 6.4805305388921464e-06, 0), Point_3(1, 5.2487576626785136e-06, 0),
-                 Point_3(0, 1.122224522664797e-05, 0), Point_3(1, 1.122224522664797e-05, 0)};
+  soup.points = {Point_3(0, 0, 0),
+                 Point_3(1, 0, 0),
+                 Point_3(0, 6.4805305388921464e-06, 0),
+                 Point_3(1, 5.2487576626785136e-06, 0),
+                 Point_3(0, 1.122224522664797e-05, 0),
+                 Point_3(1, 1.122224522664797e-05, 0)};
   const std::vector<std::array<std::size_t, 3>> triangles = {{{2, 1, 3}}, {{1, 2, 0}}, {{5, 4, 2}}, {{5, 2, 3}}};
   for (const auto& t : triangles) soup.add_triangle(t);
   const Generated_mesh<Surface_mesh> data(soup);
   const Locations<Surface_mesh> locations(data.mesh);
   Geodesic geodesic(data.mesh);
-  geodesic.add_source_polyline(
-    std::vector<Face_location>{
-      locations.in_triangle(data, soup, 3, {{0.73509718806044289, 0.26490281193916065, 3.9650925279781651e-13}}),
-      locations.in_triangle(data, soup, 3, {{9.6641851401110045e-08, 0.99999990335775213, 3.9650925279781651e-13}})});
+  geodesic.add_source_polyline(std::vector<Face_location>{
+    locations.in_triangle(data, soup, 3, {{0.73509718806044289, 0.26490281193916065, 3.9650925279781651e-13}}),
+    locations.in_triangle(data, soup, 3, {{9.6641851401110045e-08, 0.99999990335775213, 3.9650925279781651e-13}})});
   geodesic.build(CGAL::parameters::keep_windows(true));
   const double level = 3.8977497754521197e-06;
   const Offset_curves curves = offsets(geodesic, level);
   CHECK(curves.size() == 2);
   for (const Offset_curve& c : curves)
     for (const Offset_piece& p : c.pieces())
-      for (int i = 0; i <= 4; ++i)
-        CHECK(std::abs(geodesic.distance_to_sources(p.location(i / 4.)) - level) <= 1e-13);
+      for (int i = 0; i <= 4; ++i) CHECK(std::abs(geodesic.distance_to_sources(p.location(i / 4.)) - level) <= 1e-13);
 }
 
 void check_search(const Search_options& options)
@@ -383,8 +383,8 @@ void found_cases()
        {685u,     42415u,   53199u,   81069u,   83379u,   84901u,   92895u,   94191u,   305598u,  311999u,  313220u,
         402016u,  501193u,  501415u,  503432u,  504628u,  602188u,  602639u,  609499u,  612007u,  613591u,  614000u,
         701615u,  707841u,  709253u,  714755u,  805966u,  806458u,  810966u,  900332u,  903804u,  904756u,  1003096u,
-        1005083u, 1102184u, 1109149u, 1202347u, 1214103u, 1214975u, 1308347u, 1311193u, 1513758u, 1711018u,
-        2003022u, 2008893u, 2210632u, 2212989u, 2219517u, 2914345u, 3004703u, 3407098u})
+        1005083u, 1102184u, 1109149u, 1202347u, 1214103u, 1214975u, 1308347u, 1311193u, 1513758u, 1711018u, 2003022u,
+        2008893u, 2210632u, 2212989u, 2219517u, 2914345u, 3004703u, 3407098u})
     check_case(seed, 0);
   for (const unsigned seed : {1766u, 3775u}) check_case(seed, 4);
   check_case(6912663, 3); // a level along a needle, whose sides rounding does not tell apart: 22 forced joints before
@@ -394,13 +394,14 @@ void found_cases()
 
 GEODESIC_OFFSET_TEST(test_offset_search)
 {
-  const std::pair<const char*, void (*)()> tests[] = {{"tolerances", tolerances},
-                                                      {"the judge finds damage", judge_finds_damage},
-                                                      {"the judge finds a missing loop", judge_finds_missing_loop},
-                                                      {"noisy grid", noisy_grid},
-                                                      {"float grid", float_grid},
-                                                      {"segment beside an edge", segment_beside_edge},
-                                                      {"search", search},
-                                                      {"found cases", found_cases}};
+  const std::pair<const char*, void (*)()> tests[] = {
+    {"tolerances", tolerances},
+    {"the judge finds damage", judge_finds_damage},
+    {"the judge finds a missing loop", judge_finds_missing_loop},
+    {"noisy grid", noisy_grid},
+    {"float grid", float_grid},
+    {"segment beside an edge", segment_beside_edge},
+    {"search", search},
+    {"found cases", found_cases}};
   return run_tests("test_offset_search", tests);
 }

@@ -24,10 +24,7 @@ struct Plane
 {
   Point_3 point;
   Vector_3 normal;
-  double height(const Point_3& p) const
-  {
-    return ((p - point) * normal) / std::sqrt(normal.squared_length());
-  }
+  double height(const Point_3& p) const { return ((p - point) * normal) / std::sqrt(normal.squared_length()); }
 };
 
 Plane random_plane(const test::Surface_mesh& mesh, unsigned seed)
@@ -38,16 +35,14 @@ Plane random_plane(const test::Surface_mesh& mesh, unsigned seed)
   const Point_3 middle(box.xmin() + uniform(random, 0.3, 0.7) * box.x_span(),
                        box.ymin() + uniform(random, 0.3, 0.7) * box.y_span(),
                        box.zmin() + uniform(random, 0.3, 0.7) * box.z_span());
-  return Plane{middle,
-               Vector_3(uniform(random, -1, 1), uniform(random, -1, 1), uniform(random, -1, 1))};
+  return Plane{middle, Vector_3(uniform(random, -1, 1), uniform(random, -1, 1), uniform(random, -1, 1))};
 }
 
 std::vector<double> levels_of(const test::Surface_mesh& mesh, const Geodesic& geodesic)
 {
   double largest = 0;
   for (auto v : vertices(mesh))
-    if (std::isfinite(geodesic.distance_to_sources(v)))
-      largest = (std::max)(largest, geodesic.distance_to_sources(v));
+    if (std::isfinite(geodesic.distance_to_sources(v))) largest = (std::max)(largest, geodesic.distance_to_sources(v));
   std::vector<double> result;
   for (double part : {0.011, 0.083, 0.27, 0.51, 0.74, 0.96}) result.push_back(part * largest);
   return result;
@@ -77,8 +72,7 @@ struct Totals
 };
 
 // Compares both, left and right offsets, and checks sides. `plane` may be null.
-void compare_sides(const test::Surface_mesh& mesh,
-                   const std::vector<Section<test::Surface_mesh>>& sections, const Plane* plane,
+void compare_sides(const test::Surface_mesh& mesh, const std::vector<Section<test::Surface_mesh>>& sections, const Plane* plane,
                    Totals& totals)
 {
   Geodesic geodesic(mesh);
@@ -119,9 +113,8 @@ void compare_sides(const test::Surface_mesh& mesh,
   }
   if (all_closed && plane)
   { // curves do not change sides
-    CHECK_DETAIL(left.size() + right.size() == both.size(),
-                 std::to_string(left.size()) + " + " + std::to_string(right.size()) +
-                   " curves, both: " + std::to_string(both.size()));
+    CHECK_DETAIL(left.size() + right.size() == both.size(), std::to_string(left.size()) + " + " + std::to_string(right.size()) +
+                                                              " curves, both: " + std::to_string(both.size()));
     CHECK(number_of_closed(left) + number_of_closed(right) == number_of_closed(both));
   }
   totals.pieces += sorted_pieces(both).size();
@@ -141,8 +134,7 @@ void compare_sides(const test::Surface_mesh& mesh,
 }
 
 // The first plane with a closed, or open, section curve; returns false if there is none.
-bool run(const std::string& name, const test::Surface_mesh& mesh, bool closed_wanted,
-         Totals& totals)
+bool run(const std::string& name, const test::Surface_mesh& mesh, bool closed_wanted, Totals& totals)
 {
   for (unsigned seed = 1; seed <= 12; ++seed)
   {
@@ -183,8 +175,7 @@ void reversed_section(const test::Surface_mesh& mesh, unsigned seed)
   for (const auto& s : plane_section(mesh, plane.point, plane.normal))
   {
     there.add_source_polyline(s.locations, s.closed);
-    back.add_source_polyline(std::vector<Face_location>(s.locations.rbegin(), s.locations.rend()),
-                             s.closed);
+    back.add_source_polyline(std::vector<Face_location>(s.locations.rbegin(), s.locations.rend()), s.closed);
   }
   there.build(CGAL::parameters::keep_windows(true));
   back.build(CGAL::parameters::keep_windows(true));
@@ -192,17 +183,15 @@ void reversed_section(const test::Surface_mesh& mesh, unsigned seed)
   double worst = 0;
   for (const Offset_end end : {Offset_end::ROUND, Offset_end::BUTT})
   {
-    CHECK(same_curves(offsets(there, levels, {Offset_side::LEFT, end}),
-                      offsets(back, levels, {Offset_side::RIGHT, end}), levels.back(), worst));
-    CHECK(same_curves(offsets(there, levels, {Offset_side::RIGHT, end}),
-                      offsets(back, levels, {Offset_side::LEFT, end}), levels.back(), worst));
+    CHECK(same_curves(offsets(there, levels, {Offset_side::LEFT, end}), offsets(back, levels, {Offset_side::RIGHT, end}),
+                      levels.back(), worst));
+    CHECK(same_curves(offsets(there, levels, {Offset_side::RIGHT, end}), offsets(back, levels, {Offset_side::LEFT, end}),
+                      levels.back(), worst));
   }
   for (auto v : vertices(mesh))
   {
     const double a = there.signed_distance_to_sources(v), b = back.signed_distance_to_sources(v);
-    CHECK_DETAIL(std::isnan(a) ? std::isnan(b)
-                               : std::abs(a + b) <= 1e-12 * (std::abs(a) + levels.back()),
-                 values(a, -b));
+    CHECK_DETAIL(std::isnan(a) ? std::isnan(b) : std::abs(a + b) <= 1e-12 * (std::abs(a) + levels.back()), values(a, -b));
   }
 }
 
@@ -249,11 +238,10 @@ GEODESIC_OFFSET_TEST(test_offset_sides)
   Report::instance().set_context("");
   const std::size_t from_data = totals.meshes - from_generator;
   if (!data_files().empty()) CHECK_DETAIL(from_data >= 12, std::to_string(from_data) + " meshes");
-  std::cout << totals.meshes << " meshes with closed sections, " << totals.closed_sections
-            << " closed and " << totals.open_sections << " open curves of sections, "
-            << totals.pieces << " pieces, " << totals.traced
+  std::cout << totals.meshes << " meshes with closed sections, " << totals.closed_sections << " closed and "
+            << totals.open_sections << " open curves of sections, " << totals.pieces << " pieces, " << totals.traced
             << " of them traced; left and right differ from both by " << totals.worst_length
-            << " of their length, pieces are on the wrong side of the plane by "
-            << totals.worst_height << " diagonals" << std::endl;
+            << " of their length, pieces are on the wrong side of the plane by " << totals.worst_height << " diagonals"
+            << std::endl;
   return Report::instance().finish("test_offset_sides");
 }

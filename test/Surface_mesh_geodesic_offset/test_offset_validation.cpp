@@ -38,9 +38,8 @@ std::shared_ptr<const Surface> new_surface(const test::Surface_mesh& mesh)
 {
   CGAL::Geodesic_offset::internal::Single_worker alone;
   return std::make_shared<Surface>(mesh, CGAL::get_initialized_vertex_index_map(mesh),
-                                   CGAL::get_initialized_face_index_map(mesh),
-                                   get(CGAL::vertex_point, mesh), CGAL::Geodesic_offset::internal::No_lengths(),
-                                   typename Surface::Computing_traits(), alone);
+                                   CGAL::get_initialized_face_index_map(mesh), get(CGAL::vertex_point, mesh),
+                                   CGAL::Geodesic_offset::internal::No_lengths(), typename Surface::Computing_traits(), alone);
 }
 
 template <class Curve>
@@ -54,9 +53,9 @@ public:
   typedef internal::Curve_context<Surface> Context;
 
   explicit Workshop(const test::Surface_mesh& mesh)
-    : context_(std::make_shared<Context>(
-        Context{new_surface<Surface>(mesh), std::vector<internal::Source_primitive>(1)}))
-  {}
+    : context_(std::make_shared<Context>(Context{new_surface<Surface>(mesh), std::vector<internal::Source_primitive>(1)}))
+  {
+  }
 
   static Parts take_apart(const Curve& curve)
   {
@@ -112,10 +111,8 @@ struct Case
   std::vector<Offset_curve> curves;
 
   template <class AddSources>
-  Case(const std::string& name, const Soup& soup, const AddSources& add_sources,
-       const std::vector<double>& levels)
-    : name(name), mesh(Generated_mesh<test::Surface_mesh>(soup).mesh), geodesic(mesh),
-      levels(levels)
+  Case(const std::string& name, const Soup& soup, const AddSources& add_sources, const std::vector<double>& levels)
+    : name(name), mesh(Generated_mesh<test::Surface_mesh>(soup).mesh), geodesic(mesh), levels(levels)
   {
     add_sources(mesh, geodesic);
     geodesic.build(CGAL::parameters::keep_windows(true));
@@ -132,8 +129,7 @@ std::string summary(const Validation_report& report)
 {
   std::string text;
   for (int k = 0; k < internal::NUMBER_OF_VALIDATION_KINDS; ++k)
-    text += std::string(name_of(Validation_kind(k))) + " " +
-            std::to_string(report.failures(Validation_kind(k))) + "/" +
+    text += std::string(name_of(Validation_kind(k))) + " " + std::to_string(report.failures(Validation_kind(k))) + "/" +
             std::to_string(report.checks(Validation_kind(k))) + " ";
   for (const std::string& t : report.texts()) text += "\n  " + t;
   return text;
@@ -167,8 +163,7 @@ void damage_curves(const Case& c)
   const Validation_report good = c.validate(c.curves);
   CHECK_DETAIL(good.is_valid(), summary(good));
   for (int k = 0; k < NUMBER_OF_VALIDATION_KINDS; ++k)
-    CHECK_DETAIL(good.checks(Validation_kind(k)) > 0 || k == NO_CROSSING,
-                 name_of(Validation_kind(k)));
+    CHECK_DETAIL(good.checks(Validation_kind(k)) > 0 || k == NO_CROSSING, name_of(Validation_kind(k)));
   checks_of_crossings() += good.checks(NO_CROSSING);
   CHECK(good.curves == c.curves.size() && good.separating_edges > 0);
   CHECK(good.separated_on_edges > 0 && good.separated_in_faces > 0 && good.areas > 0);
@@ -176,23 +171,21 @@ void damage_curves(const Case& c)
 
   // disassembling and reassembling curves is no damage
   std::vector<Offset_curve> same;
-  for (const Offset_curve& curve : c.curves)
-    same.push_back(workshop.put_together(Workshop_::take_apart(curve)));
+  for (const Offset_curve& curve : c.curves) same.push_back(workshop.put_together(Workshop_::take_apart(curve)));
   const Validation_report again = c.validate(same);
   CHECK_DETAIL(again.is_valid() && again.checks() == good.checks(), summary(again));
 
   // the longest curve, and its longest piece away from the ends
-  const auto longest = std::max_element(
-    c.curves.begin(), c.curves.end(),
-    [](const Offset_curve& a, const Offset_curve& b) { return a.length() < b.length(); });
+  const auto longest = std::max_element(c.curves.begin(), c.curves.end(), [](const Offset_curve& a, const Offset_curve& b) {
+    return a.length() < b.length();
+  });
   const std::size_t which = std::size_t(longest - c.curves.begin());
   const Parts original = Workshop_::take_apart(*longest);
   if (!CHECK(original.pieces.size() > 4)) return;
   std::size_t piece = 1;
   for (std::size_t i = 1; i + 1 < original.pieces.size(); ++i)
     if (longest->piece(i).length() > longest->piece(piece).length()) piece = i;
-  const auto with = [&](const Parts& parts)
-  {
+  const auto with = [&](const Parts& parts) {
     std::vector<Offset_curve> changed = c.curves;
     changed[which] = workshop.put_together(parts);
     return changed;
@@ -244,8 +237,7 @@ void damage_curves(const Case& c)
   parts = original;
   const auto& passed = original.pieces[piece];
   const auto middle = 0.5 * (passed.start + passed.end);
-  const auto face =
-    Validation_surface<Geodesic>(c.geodesic, c.mesh).face_at(passed.face);
+  const auto face = Validation_surface<Geodesic>(c.geodesic, c.mesh).face_at(passed.face);
   Parts loop{parts.distance, true, {}};
   Point_in_face<double> corner[3];
   for (int k = 0; k < 3; ++k) corner[k] = middle + 0.3 * (face.corner[k] - middle);
@@ -270,24 +262,21 @@ void damage_curves(const Case& c)
 
 GEODESIC_OFFSET_TEST(test_offset_validation)
 {
-  const auto border = [](const test::Surface_mesh& mesh, Geodesic& geodesic)
-  {
+  const auto border = [](const test::Surface_mesh& mesh, Geodesic& geodesic) {
     std::vector<test::Surface_mesh::Edge_index> edges_of_border;
     for (auto e : edges(mesh))
       if (mesh.is_border(e)) edges_of_border.push_back(e);
     geodesic.add_source_edges(edges_of_border);
   };
-  const auto vertex = [](const test::Surface_mesh& mesh, Geodesic& geodesic)
-  { geodesic.add_source_point(*std::next(vertices(mesh).begin(), 3)); };
-  const auto section = [](const test::Surface_mesh& mesh, Geodesic& geodesic)
-  {
-    for (const auto& s : random_plane_section(mesh, 5))
-      geodesic.add_source_polyline(s.locations, s.closed);
+  const auto vertex = [](const test::Surface_mesh& mesh, Geodesic& geodesic) {
+    geodesic.add_source_point(*std::next(vertices(mesh).begin(), 3));
+  };
+  const auto section = [](const test::Surface_mesh& mesh, Geodesic& geodesic) {
+    for (const auto& s : random_plane_section(mesh, 5)) geodesic.add_source_polyline(s.locations, s.closed);
   };
   damage_curves(Case("icosphere, vertex", icosphere(2), vertex, {0.3, 0.9, 1.4, 2.2}));
   damage_curves(Case("torus, section", torus(20, 14), section, {0.1, 0.2, 0.4}));
-  damage_curves(
-    Case("grid, boundary", planar_grid(10, 10, Diagonals::alternating), border, {0.7, 1.5, 3}));
+  damage_curves(Case("grid, boundary", planar_grid(10, 10, Diagonals::alternating), border, {0.7, 1.5, 3}));
   damage_curves(Case("jittered grid, vertex", jittered_grid(14, 10, 7), vertex, {2., 5., 9.}));
   Report::instance().set_context("");
   CHECK(checks_of_crossings() > 0);

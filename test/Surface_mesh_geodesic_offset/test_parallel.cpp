@@ -49,8 +49,8 @@ void with_threads(int n, const Function& f)
 struct Outcome
 {
   std::vector<double> distances; // of vertices and points
-  std::vector<double> lengths; // of the curves of a level, with the numbers of curves and closed curves
-  std::vector<double> rest; // dependent on the order of the front: counts, and the stopping distance
+  std::vector<double> lengths;   // of the curves of a level, with the numbers of curves and closed curves
+  std::vector<double> rest;      // dependent on the order of the front: counts, and the stopping distance
 };
 
 template <class Tag>
@@ -94,18 +94,15 @@ public:
     m_out.distances.push_back(m_geodesic.largest_distance());
     take_down(false);
     const auto equal = CGAL::Offset_levels<double>::equally_spaced(0.05 * largest, 12);
-    take_curves(
-      [&](auto out)
-      {
-        m_geodesic.build_with_offset_curves_by_distance(
-          equal,
-          [&](double d, Offset_curves&& curves)
-          {
-            m_out.distances.push_back(d);
-            std::move(curves.begin(), curves.end(), out);
-          },
-          CGAL::parameters::keep_windows(true).concurrency_tag(Tag()));
-      });
+    take_curves([&](auto out) {
+      m_geodesic.build_with_offset_curves_by_distance(
+        equal,
+        [&](double d, Offset_curves&& curves) {
+        m_out.distances.push_back(d);
+        std::move(curves.begin(), curves.end(), out);
+        },
+        CGAL::parameters::keep_windows(true).concurrency_tag(Tag()));
+    });
     take_down(true);
     targets_and_visitors();
   }
@@ -139,8 +136,7 @@ private:
     m_geodesic.update(CGAL::parameters::concurrency_tag(Tag()));
     take_down(true);
     const std::size_t windows = m_geodesic.statistics().windows_propagated;
-    const auto gives_up = [](double f) -> bool
-    {
+    const auto gives_up = [](double f) -> bool {
       if (f > 0.2) throw std::runtime_error("the visitor gives up");
       return true;
     };
@@ -229,9 +225,7 @@ void compare_tags(Query_case& c, unsigned seed, std::size_t points, bool is_smal
   for (const int threads : thread_counts(is_small))
   {
     parallel.emplace_back();
-    with_threads(threads, [&] {
-      Builds<CGAL::Parallel_tag>(c, seed, parallel.size() == 1, parallel.back()).run(points);
-    });
+    with_threads(threads, [&] { Builds<CGAL::Parallel_tag>(c, seed, parallel.size() == 1, parallel.back()).run(points); });
     CHECK_DETAIL(same_bits(parallel.back(), parallel.front()), std::to_string(threads) + " threads");
   }
   compare(c, seed, parallel.front(), sequential);
@@ -241,8 +235,7 @@ void compare_tags(Query_case& c, unsigned seed, std::size_t points, bool is_smal
 std::vector<double> pieces_of(const Offset_curves& curves)
 {
   std::vector<double> result;
-  const auto add_point = [&](const auto& p)
-  {
+  const auto add_point = [&](const auto& p) {
     result.push_back(p.x());
     result.push_back(p.y());
   };
@@ -282,11 +275,9 @@ void same_pieces(Query_case& c)
     for (const int threads : {1, 2, 3})
     {
       Offset_curves parallel;
-      with_threads(threads,
-                   [&] {
-                     geodesic.offset_curves(levels, std::back_inserter(parallel),
-                                            CGAL::parameters::concurrency_tag(CGAL::Parallel_tag()));
-                   });
+      with_threads(threads, [&] {
+        geodesic.offset_curves(levels, std::back_inserter(parallel), CGAL::parameters::concurrency_tag(CGAL::Parallel_tag()));
+      });
       CHECK_DETAIL(pieces_of(parallel) == expected, std::to_string(threads) + " threads, " + std::to_string(n) + " levels");
     }
   }
@@ -298,8 +289,7 @@ void same_set_up(Query_case& c)
   Report::instance().set_context(c.name + ", set-up");
   Random random(6);
   const Any_source source = c.random_source(random);
-  const auto distances = [&](Geodesic& geodesic)
-  {
+  const auto distances = [&](Geodesic& geodesic) {
     source.add_to(geodesic);
     geodesic.build();
     std::vector<double> result;
@@ -322,8 +312,7 @@ void same_set_up(Query_case& c)
   const std::size_t n = bad.number_of_vertices();
   for (const std::size_t i : {n / 7, n / 2, n - 2})
     bad.point(Vertex_index(test::Surface_mesh::size_type(i))) = Point_3(0, 0, i == n / 2 ? infinity : 0);
-  const auto complaint = [&](auto tag) -> std::string
-  {
+  const auto complaint = [&](auto tag) -> std::string {
     try
     {
       Geodesic geodesic(bad, CGAL::parameters::concurrency_tag(tag));
@@ -363,8 +352,7 @@ void up_to_maximum(Query_case& c)
 void several_at_once(Query_case& c)
 {
   Report::instance().set_context(c.name + ", several at once");
-  const auto build = [&](unsigned seed, auto tag)
-  {
+  const auto build = [&](unsigned seed, auto tag) {
     Random random(seed);
     Geodesic geodesic(c.mesh);
     for (int i = 0; i < 3; ++i) c.random_source(random).add_to(geodesic);
@@ -377,11 +365,9 @@ void several_at_once(Query_case& c)
   std::vector<std::vector<double>> together(n);
   std::vector<std::thread> threads; // outside of TBB; each may request further threads from TBB
   for (unsigned i = 0; i < n; i += 2)
-    threads.emplace_back(
-      [&, i]
-      {
-        for (unsigned k = i; k < i + 2; ++k) together[k] = build(k, CGAL::Parallel_tag());
-      });
+    threads.emplace_back([&, i] {
+      for (unsigned k = i; k < i + 2; ++k) together[k] = build(k, CGAL::Parallel_tag());
+    });
   for (std::thread& t : threads) t.join();
   for (unsigned i = 0; i < n; ++i) CHECK(together[i] == build(i, CGAL::Parallel_tag()));
 }
@@ -389,20 +375,17 @@ void several_at_once(Query_case& c)
 // All threads use the caller's rounding mode, also after rounds with another mode.
 void rounding_of_the_caller(const test::Surface_mesh& mesh)
 {
-  const auto build = [&](int threads, int mode)
-  {
+  const auto build = [&](int threads, int mode) {
     std::vector<double> result;
-    with_threads(threads,
-                 [&]
-                 {
-                   const int before = std::fegetround();
-                   std::fesetround(mode);
-                   Geodesic geodesic(mesh);
-                   geodesic.add_source_point(*vertices(mesh).begin());
-                   geodesic.build(CGAL::parameters::concurrency_tag(CGAL::Parallel_tag()));
-                   for (Vertex_index v : vertices(mesh)) result.push_back(geodesic.distance_to_sources(v));
-                   std::fesetround(before);
-                 });
+    with_threads(threads, [&] {
+      const int before = std::fegetround();
+      std::fesetround(mode);
+      Geodesic geodesic(mesh);
+      geodesic.add_source_point(*vertices(mesh).begin());
+      geodesic.build(CGAL::parameters::concurrency_tag(CGAL::Parallel_tag()));
+      for (Vertex_index v : vertices(mesh)) result.push_back(geodesic.distance_to_sources(v));
+      std::fesetround(before);
+    });
     return result;
   };
   const std::vector<double> nearest = build(2, FE_TONEAREST), upward = build(1, FE_UPWARD);
@@ -472,11 +455,10 @@ void exceptions_of_a_team()
       {
         team.for_each(
           40, [](Index i) { return i % 7; }, round % 2 == 0,
-          [&](unsigned worker, Index i)
-          {
-            if (worker >= size) throw std::logic_error("no such worker");
-            ++calls[i];
-            if (throws && (i == 11 || i == 23 || i == 38)) throw i;
+          [&](unsigned worker, Index i) {
+          if (worker >= size) throw std::logic_error("no such worker");
+          ++calls[i];
+          if (throws && (i == 11 || i == 23 || i == 38)) throw i;
           });
       }
       catch (const Index& i)
@@ -494,8 +476,7 @@ void exceptions_of_a_team()
 void within_tasks(Query_case& c)
 {
   Report::instance().set_context(c.name + ", within tasks");
-  const auto build = [&](unsigned seed)
-  {
+  const auto build = [&](unsigned seed) {
     Random random(seed);
     Geodesic geodesic(c.mesh);
     for (int i = 0; i < 3; ++i) c.random_source(random).add_to(geodesic);
@@ -534,8 +515,10 @@ GEODESIC_OFFSET_TEST(test_parallel)
   const Query_cases cases = generated_query_cases();
   const unsigned seeds = is_small ? 1 : number_of_cases(1u, 6u);
   for (const auto& c : cases)
-    for (unsigned seed = 1; seed <= seeds; ++seed) tests.emplace_back(c->name, [&c, seed, is_small] { compare_tags(*c, seed, 30, is_small); });
-  Query_case large("large torus", rotated(torus(is_small ? 60 : number_of_cases(160, 260), is_small ? 40 : number_of_cases(100, 150)), 4));
+    for (unsigned seed = 1; seed <= seeds; ++seed)
+      tests.emplace_back(c->name, [&c, seed, is_small] { compare_tags(*c, seed, 30, is_small); });
+  Query_case large("large torus",
+                   rotated(torus(is_small ? 60 : number_of_cases(160, 260), is_small ? 40 : number_of_cases(100, 150)), 4));
   tests.emplace_back("large torus", [&] { compare_tags(large, 1, 30, is_small); });
   tests.emplace_back("pieces", [&] { same_pieces(large); });
   tests.emplace_back("pieces", [&] { same_pieces(*cases.front()); });

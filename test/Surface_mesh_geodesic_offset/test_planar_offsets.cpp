@@ -34,8 +34,8 @@ using CGAL::Source_side;
 /// Counts of comparisons, and the worst errors (in diagonals, and relative for lengths).
 struct Tally
 {
-  std::size_t polylines = 0, crossing = 0, closed = 0, levels = 0, closed_curves = 0,
-              open_curves = 0, pieces = 0, specks = 0, levels_as_requested = 0;
+  std::size_t polylines = 0, crossing = 0, closed = 0, levels = 0, closed_curves = 0, open_curves = 0, pieces = 0, specks = 0,
+              levels_as_requested = 0;
   double to_plane = 0, from_plane = 0, as_requested = 0, length = 0, off_source = 0;
 };
 
@@ -58,8 +58,8 @@ class Plane
 {
 public:
   Plane(const std::string& name, const Soup& soup, unsigned seed, bool turn = true)
-    : name_(name + ", seed " + std::to_string(seed)), data_(turn ? rotated(soup, seed) : soup),
-      generator_(data_, 500 + seed), unfolding_(data_), box_{0, 0, 0, 0}
+    : name_(name + ", seed " + std::to_string(seed)), data_(turn ? rotated(soup, seed) : soup), generator_(data_, 500 + seed),
+      unfolding_(data_), box_{0, 0, 0, 0}
   {
     for (const auto& corners : data_.uv)
       for (const Point_2& p : corners)
@@ -84,8 +84,7 @@ public:
         throw std::logic_error("a leg runs through a vertex");
     if (closed)
     {
-      if (!generator_.add_leg(result, result.locations.front(), 0))
-        throw std::logic_error("a leg runs through a vertex");
+      if (!generator_.add_leg(result, result.locations.front(), 0)) throw std::logic_error("a leg runs through a vertex");
       result.locations.pop_back();
     }
     if (result.legs.empty()) result.legs.push_back(generator_.leg_at(result.locations[0]));
@@ -96,21 +95,18 @@ public:
   Path vertex_path(const std::vector<std::size_t>& vertices, bool closed = false) const
   {
     Path result;
-    for (std::size_t v : vertices)
-      result.locations.push_back(generator_.locations().at_vertex(data_.vertices[v], v));
+    for (std::size_t v : vertices) result.locations.push_back(generator_.locations().at_vertex(data_.vertices[v], v));
     for (std::size_t i = 0; i + 1 < vertices.size() + (closed ? 1 : 0); ++i)
       result.legs.push_back({0, unfolding_.uv(result.locations[i]),
                              unfolding_.uv(result.locations[(i + 1) % vertices.size()])});
     if (vertices.size() == 1)
-      result.legs.push_back(
-        {0, unfolding_.uv(result.locations[0]), unfolding_.uv(result.locations[0])});
+      result.legs.push_back({0, unfolding_.uv(result.locations[0]), unfolding_.uv(result.locations[0])});
     return result;
   }
 
   /// Compares everything at several levels with the plane. At `touching` levels the planar offset may touch itself: there
   /// only the cut distances are compared.
-  void compare(const std::string& what, const Path& path, bool closed,
-               const std::vector<double>& levels, bool touching = false)
+  void compare(const std::string& what, const Path& path, bool closed, const std::vector<double>& levels, bool touching = false)
   {
     Report::instance().set_context(name_ + ", " + what);
     try
@@ -121,8 +117,7 @@ public:
       tally.closed += closed ? 1 : 0;
       tally.crossing += crosses_itself(path.legs) ? 1 : 0;
       std::size_t calls = 0;
-      const auto check = [&](double level, Curves&& curves)
-      {
+      const auto check = [&](double level, Curves&& curves) {
         Report::instance().set_context(name_ + ", " + what + ", level " + std::to_string(level));
         ++calls;
         compare_level(geodesic, path, closed, level, curves, touching);
@@ -136,9 +131,9 @@ public:
       {
         // The checks need distances of vertices, so they follow the build.
         std::vector<std::pair<double, Curves>> all;
-        geodesic.build_with_offset_curves_by_distance(
-          levels,
-          [&](double level, Curves&& curves) { all.emplace_back(level, std::move(curves)); });
+        geodesic.build_with_offset_curves_by_distance(levels, [&](double level, Curves&& curves) {
+          all.emplace_back(level, std::move(curves));
+        });
         for (auto& entry : all) check(entry.first, std::move(entry.second));
       }
       CHECK(calls == levels.size());
@@ -150,9 +145,8 @@ public:
   }
 
   /// Compares curves of a selection: numbers of closed and open curves, and their total length.
-  void compare_length(const std::string& what, const Path& path, bool closed, double level,
-                      const Offset_selection& selection, std::size_t number_closed,
-                      std::size_t number_open, double expected)
+  void compare_length(const std::string& what, const Path& path, bool closed, double level, const Offset_selection& selection,
+                      std::size_t number_closed, std::size_t number_open, double expected)
   {
     Report::instance().set_context(name_ + ", " + what + ", level " + std::to_string(level));
     try
@@ -170,8 +164,7 @@ public:
         n_closed += curve.is_closed() ? 1 : 0;
       }
       CHECK_DETAIL(n_closed == number_closed, std::to_string(n_closed) + " closed");
-      CHECK_DETAIL(curves.size() - n_closed == number_open,
-                   std::to_string(curves.size() - n_closed) + " open");
+      CHECK_DETAIL(curves.size() - n_closed == number_open, std::to_string(curves.size() - n_closed) + " open");
       CHECK_DETAIL(std::abs(length - expected) <= 1e-11 * expected, values(length, expected));
       tally.length = (std::max)(tally.length, std::abs(length - expected) / expected);
     }
@@ -182,8 +175,7 @@ public:
   }
 
 private:
-  void compare_level(const Geodesic& geodesic, const Path& path, bool closed, double level,
-                     const Curves& curves, bool touching)
+  void compare_level(const Geodesic& geodesic, const Path& path, bool closed, double level, const Curves& curves, bool touching)
   {
     const double diagonal = box_.diagonal(), tolerance = 1e-12 * diagonal;
     ++tally.levels;
@@ -240,9 +232,8 @@ private:
     std::vector<double> lengths;
     for (const Planar_offset::Component& c : expected.components())
       if (c.is_closed == closed) lengths.push_back(c.length);
-    if (!CHECK_DETAIL(lengths.size() == actual.size(),
-                      std::to_string(actual.size()) + (closed ? " closed" : " open") +
-                        ", expected " + std::to_string(lengths.size())))
+    if (!CHECK_DETAIL(lengths.size() == actual.size(), std::to_string(actual.size()) + (closed ? " closed" : " open") +
+                                                         ", expected " + std::to_string(lengths.size())))
       return;
     std::sort(lengths.begin(), lengths.end());
     std::sort(actual.begin(), actual.end());
@@ -257,8 +248,8 @@ private:
   void check_on_border(const Face_location& location)
   {
     const Point_2 p = unfolding_.uv(location);
-    const double to_border = (std::min)({std::abs(p.x() - box_.x0), std::abs(p.x() - box_.x1),
-                                         std::abs(p.y() - box_.y0), std::abs(p.y() - box_.y1)});
+    const double to_border =
+      (std::min)({std::abs(p.x() - box_.x0), std::abs(p.x() - box_.x1), std::abs(p.y() - box_.y0), std::abs(p.y() - box_.y1)});
     CHECK_DETAIL(to_border <= 1e-12 * box_.diagonal(), values(to_border, 0));
   }
 
@@ -313,8 +304,7 @@ private:
     const Point_2 center = unfolding_.uv(piece.face(), piece.center());
     // Coordinates of the plane are rounded, which turns the frame of a small face.
     const double turn = 1e-15 * box_.diagonal() / smallest_edge(piece.face());
-    CHECK_DETAIL(distance(center, a) <= tolerance + 4 * turn * (level + box_.diagonal()),
-                 values(distance(center, a), 0));
+    CHECK_DETAIL(distance(center, a) <= tolerance + 4 * turn * (level + box_.diagonal()), values(distance(center, a), 0));
     CHECK((piece.side() == Source_side::NONE || piece.side() == Source_side::CAP) ==
           (!closed && (is_first(path, part) || is_at_end(path, part))));
   }
@@ -348,14 +338,12 @@ private:
 
 void print_tally(const std::string& what)
 {
-  std::cout << what << ": " << tally.polylines << " polylines (" << tally.closed << " closed, "
-            << tally.crossing << " self-crossing), " << tally.levels << " levels ("
-            << tally.levels_as_requested << " also at the requested level), " << tally.closed_curves
-            << " closed and " << tally.open_curves << " open curves, " << tally.pieces
-            << " pieces (" << tally.specks << " specks); Hausdorff distance " << tally.to_plane
-            << " and " << tally.from_plane << " diagonals (at the requested level " << tally.as_requested
-            << "), relative error of lengths " << tally.length << ", off the source named "
-            << tally.off_source << std::endl;
+  std::cout << what << ": " << tally.polylines << " polylines (" << tally.closed << " closed, " << tally.crossing
+            << " self-crossing), " << tally.levels << " levels (" << tally.levels_as_requested
+            << " also at the requested level), " << tally.closed_curves << " closed and " << tally.open_curves
+            << " open curves, " << tally.pieces << " pieces (" << tally.specks << " specks); Hausdorff distance "
+            << tally.to_plane << " and " << tally.from_plane << " diagonals (at the requested level " << tally.as_requested
+            << "), relative error of lengths " << tally.length << ", off the source named " << tally.off_source << std::endl;
   tally = Tally();
 }
 
@@ -369,22 +357,19 @@ void random_polylines()
     Random random(seed);
     const double width = uniform(random, 0.5, 3), height = uniform(random, 0.5, 3);
     const std::size_t inside[] = {0, 4, 40, 150, 400};
-    const Soup soup = seed % 4 == 3
-                        ? jittered_grid(6 + seed, 24 - seed / 2, seed)
-                        : random_rectangle(width, height, inside[seed % 5], seed % 7, seed);
+    const Soup soup = seed % 4 == 3 ? jittered_grid(6 + seed, 24 - seed / 2, seed)
+                                    : random_rectangle(width, height, inside[seed % 5], seed % 7, seed);
     Plane plane("random polylines", soup, seed, seed % 2 == 0);
     for (std::size_t i = 0; i < polylines_per_mesh; ++i)
     {
       const bool closed = i % 3 == 2;
       const std::size_t legs[] = {1, 3, 6, 12, 25};
-      const Path path =
-        plane.generator().random_path((std::max<std::size_t>)(legs[i % 5], closed ? 2 : 1), closed);
+      const Path path = plane.generator().random_path((std::max<std::size_t>)(legs[i % 5], closed ? 2 : 1), closed);
       std::vector<double> levels;
       for (double largest : {0.004, 0.03, 0.12, 0.4})
         levels.push_back(plane.box().diagonal() * largest * uniform(random, 0.3, 1));
-      plane.compare("polyline " + std::to_string(i) + " of " + std::to_string(path.legs.size()) +
-                      " legs",
-                    path, closed, levels);
+      plane.compare("polyline " + std::to_string(i) + " of " + std::to_string(path.legs.size()) + " legs", path, closed,
+                    levels);
     }
   }
   CHECK(tally.polylines == 200);
@@ -421,18 +406,15 @@ void one_face()
   Plane plane("one face", soup, 1, false);
   // The outer loop was lost formerly.
   plane.compare("a folded quadrilateral",
-                plane.path({Point_2(1.3210769831202924, 1.1145089550409466),
-                            Point_2(1.325284565333277, 1.3418801832012832),
-                            Point_2(0.65751199587248266, 1.4492052588611841),
-                            Point_2(1.3120946323033422, 0.60614790744148195)},
+                plane.path({Point_2(1.3210769831202924, 1.1145089550409466), Point_2(1.325284565333277, 1.3418801832012832),
+                            Point_2(0.65751199587248266, 1.4492052588611841), Point_2(1.3120946323033422, 0.60614790744148195)},
                            true),
                 true, {0.17628903908655047});
   Random random(77);
   for (std::size_t i = 0; i < 1200; ++i)
   {
     std::vector<Point_2> points;
-    for (std::size_t k = 0; k < 2 + i % 9; ++k)
-      points.push_back(Point_2(uniform(random, 0.5, 1.5), uniform(random, 0.5, 1.5)));
+    for (std::size_t k = 0; k < 2 + i % 9; ++k) points.push_back(Point_2(uniform(random, 0.5, 1.5), uniform(random, 0.5, 1.5)));
     const bool closed = i % 2 == 1;
     plane.compare("polyline " + std::to_string(i), plane.path(points, closed), closed,
                   {uniform(random, 0.01, 0.1), uniform(random, 0.1, 0.3)});
@@ -453,53 +435,40 @@ void degenerate()
       const std::vector<double> levels = {0.5, 1, std::sqrt(2.), 2, 2.5, std::sqrt(5.), 3, 5};
 
       plane.compare("a vertex", plane.vertex_path({v(8, 8)}), false, levels, true);
-      plane.compare("a vertex, repeated", plane.vertex_path({v(8, 8), v(8, 8), v(8, 8)}), false,
+      plane.compare("a vertex, repeated", plane.vertex_path({v(8, 8), v(8, 8), v(8, 8)}), false, levels, true);
+      plane.compare("along edges", plane.vertex_path({v(5, 8), v(6, 8), v(7, 8), v(8, 8), v(9, 8)}), false, levels, true);
+      plane.compare("along edges, points repeated",
+                    plane.vertex_path({v(5, 8), v(5, 8), v(6, 8), v(7, 8), v(7, 8), v(8, 8), v(8, 8)}), false, levels, true);
+      plane.compare("along edges and back", plane.vertex_path({v(5, 8), v(6, 8), v(7, 8), v(8, 8), v(7, 8), v(6, 8)}), false,
                     levels, true);
-      plane.compare("along edges", plane.vertex_path({v(5, 8), v(6, 8), v(7, 8), v(8, 8), v(9, 8)}),
-                    false, levels, true);
-      plane.compare(
-        "along edges, points repeated",
-        plane.vertex_path({v(5, 8), v(5, 8), v(6, 8), v(7, 8), v(7, 8), v(8, 8), v(8, 8)}), false,
-        levels, true);
-      plane.compare("along edges and back",
-                    plane.vertex_path({v(5, 8), v(6, 8), v(7, 8), v(8, 8), v(7, 8), v(6, 8)}),
-                    false, levels, true);
-      plane.compare("a corner",
-                    plane.vertex_path({v(5, 8), v(6, 8), v(7, 8), v(7, 9), v(7, 10), v(7, 11)}),
-                    false, levels, true);
+      plane.compare("a corner", plane.vertex_path({v(5, 8), v(6, 8), v(7, 8), v(7, 9), v(7, 10), v(7, 11)}), false, levels,
+                    true);
       // Its two arms are 4 apart: the fronts of level 2 meet along a whole segment.
       plane.compare("a U",
-                    plane.vertex_path({v(5, 11), v(5, 10), v(5, 9), v(5, 8), v(6, 8), v(7, 8),
-                                       v(8, 8), v(9, 8), v(9, 9), v(9, 10), v(9, 11)}),
+                    plane.vertex_path({v(5, 11), v(5, 10), v(5, 9), v(5, 8), v(6, 8), v(7, 8), v(8, 8), v(9, 8), v(9, 9),
+                                       v(9, 10), v(9, 11)}),
                     false, levels, true);
       plane.compare("a square",
-                    plane.vertex_path({v(6, 6), v(7, 6), v(8, 6), v(9, 6), v(10, 6), v(10, 7),
-                                       v(10, 8), v(10, 9), v(10, 10), v(9, 10), v(8, 10), v(7, 10),
-                                       v(6, 10), v(6, 9), v(6, 8), v(6, 7)},
+                    plane.vertex_path({v(6, 6), v(7, 6), v(8, 6), v(9, 6), v(10, 6), v(10, 7), v(10, 8), v(10, 9), v(10, 10),
+                                       v(9, 10), v(8, 10), v(7, 10), v(6, 10), v(6, 9), v(6, 8), v(6, 7)},
                                       true),
                     true, levels, true);
       plane.compare("an eight along edges",
-                    plane.vertex_path({v(8, 8), v(9, 8), v(10, 8), v(10, 9), v(10, 10), v(9, 10),
-                                       v(8, 10), v(8, 9), v(8, 8), v(8, 7), v(8, 6), v(7, 6),
-                                       v(6, 6), v(6, 7), v(6, 8), v(7, 8)},
+                    plane.vertex_path({v(8, 8), v(9, 8), v(10, 8), v(10, 9), v(10, 10), v(9, 10), v(8, 10), v(8, 9), v(8, 8),
+                                       v(8, 7), v(8, 6), v(7, 6), v(6, 6), v(6, 7), v(6, 8), v(7, 8)},
                                       true),
                     true, levels, true);
 
       const auto p = [](double x, double y) { return Point_2(x, y); };
-      plane.compare("collinear points",
-                    plane.path({p(3.25, 7.5), p(4.5, 7.5), p(4.75, 7.5), p(9.25, 7.5)}), false,
+      plane.compare("collinear points", plane.path({p(3.25, 7.5), p(4.5, 7.5), p(4.75, 7.5), p(9.25, 7.5)}), false,
                     {0.5, 0.75, 1.5, 2.5, 4.5}, true);
       plane.compare("a point inside a face", plane.path({p(8.25, 8.125)}), false, levels, true);
-      plane.compare("inside faces, and back",
-                    plane.path({p(3.25, 7.5), p(9.25, 7.5), p(5.25, 7.5)}), false,
+      plane.compare("inside faces, and back", plane.path({p(3.25, 7.5), p(9.25, 7.5), p(5.25, 7.5)}), false,
                     {0.5, 0.75, 1.5, 2.5, 4.5}, true);
-      plane.compare("a rectangle through faces",
-                    plane.path({p(4.5, 5.25), p(11.5, 5.25), p(11.5, 9.25), p(4.5, 9.25)}, true),
+      plane.compare("a rectangle through faces", plane.path({p(4.5, 5.25), p(11.5, 5.25), p(11.5, 9.25), p(4.5, 9.25)}, true),
                     true, {0.25, 0.75, 1, 1.75, 1.9375, 3.5}, true);
-      plane.compare(
-        "a cross",
-        plane.path({p(4.5, 7.5), p(11.5, 7.5), p(8.375, 7.5), p(8.375, 3.25), p(8.375, 12.25)}),
-        false, {0.5, 0.75, 1.5, 2.5, 4.5}, true);
+      plane.compare("a cross", plane.path({p(4.5, 7.5), p(11.5, 7.5), p(8.375, 7.5), p(8.375, 3.25), p(8.375, 12.25)}), false,
+                    {0.5, 0.75, 1.5, 2.5, 4.5}, true);
     }
   print_tally("degenerate");
 }
@@ -523,12 +492,10 @@ void closed_forms()
       plane.compare_length("point", plane.path({a}), false, d, everything, 1, 0, 2 * pi * d);
       const Path segment = plane.path({a, b});
       plane.compare_length("stadium", segment, false, d, everything, 1, 0, 2 * l + 2 * pi * d);
-      plane.compare_length("butt ends", segment, false, d,
-                           Offset_selection(Offset_side::BOTH, Offset_end::BUTT), 0, 2, 2 * l);
+      plane.compare_length("butt ends", segment, false, d, Offset_selection(Offset_side::BOTH, Offset_end::BUTT), 0, 2, 2 * l);
       for (const Offset_side side : {Offset_side::LEFT, Offset_side::RIGHT})
       {
-        plane.compare_length("one side", segment, false, d,
-                             Offset_selection(side, Offset_end::BUTT), 0, 1, l);
+        plane.compare_length("one side", segment, false, d, Offset_selection(side, Offset_end::BUTT), 0, 1, l);
         plane.compare_length("one side with caps", segment, false, d, side, 0, 1, l + 2 * pi * d);
       }
     }
@@ -538,8 +505,7 @@ void closed_forms()
     const std::size_t n = 3 + seed % 5;
     std::vector<double> angles;
     for (std::size_t i = 0; i < n; ++i)
-      angles.push_back(2 * pi * (static_cast<double>(i) + uniform(random, 0, 0.15)) /
-                       static_cast<double>(n));
+      angles.push_back(2 * pi * (static_cast<double>(i) + uniform(random, 0, 0.15)) / static_cast<double>(n));
     std::vector<Point_2> corners;
     for (std::size_t i = 0; i < n; ++i)
     {
@@ -554,19 +520,16 @@ void closed_forms()
     const Path ccw = plane.path(corners, true), cw = plane.path(clockwise, true);
     for (double d : {1e-3, 0.1, 0.25, 0.36})
     {
-      const double outside = perimeter + 2 * pi * d,
-                   inside_length = perimeter * (1 - d / in_radius);
+      const double outside = perimeter + 2 * pi * d, inside_length = perimeter * (1 - d / in_radius);
       plane.compare_length("polygon outside", ccw, true, d, Offset_side::OUTSIDE, 1, 0, outside);
       plane.compare_length("polygon, right", ccw, true, d, Offset_side::RIGHT, 1, 0, outside);
       plane.compare_length("clockwise outside", cw, true, d, Offset_side::OUTSIDE, 1, 0, outside);
       plane.compare_length("clockwise, left", cw, true, d, Offset_side::LEFT, 1, 0, outside);
-      plane.compare_length("polygon inside", ccw, true, d, Offset_side::INSIDE, 1, 0,
-                           inside_length);
+      plane.compare_length("polygon inside", ccw, true, d, Offset_side::INSIDE, 1, 0, inside_length);
       plane.compare_length("polygon, left", ccw, true, d, Offset_side::LEFT, 1, 0, inside_length);
       plane.compare_length("polygon", ccw, true, d, everything, 2, 0, outside + inside_length);
     }
-    plane.compare_length("polygon outside", ccw, true, 0.6, everything, 1, 0,
-                         perimeter + 2 * pi * 0.6);
+    plane.compare_length("polygon outside", ccw, true, 0.6, everything, 1, 0, perimeter + 2 * pi * 0.6);
   }
   std::cout << "closed forms: relative error of lengths " << tally.length << std::endl;
   tally = Tally();

@@ -34,10 +34,7 @@ using namespace test;
 namespace PMP = CGAL::Polygon_mesh_processing;
 typedef Kernel::Plane_3 Plane_3;
 
-double distance(const Point_3& p, const Point_3& q)
-{
-  return std::sqrt(CGAL::squared_distance(p, q));
-}
+double distance(const Point_3& p, const Point_3& q) { return std::sqrt(CGAL::squared_distance(p, q)); }
 
 // Length of polylines, and number of closed ones.
 struct Measure
@@ -55,8 +52,7 @@ class Section_checker
   typedef typename Geodesic::Plane_section Plane_section;
 
 public:
-  explicit Section_checker(const TriangleMesh& mesh)
-    : m_mesh(mesh), m_geodesic(mesh), m_locations(mesh), m_slicer(mesh)
+  explicit Section_checker(const TriangleMesh& mesh) : m_mesh(mesh), m_geodesic(mesh), m_locations(mesh), m_slicer(mesh)
   {
     const CGAL::Bbox_3 box = PMP::bbox(mesh);
     m_scale = (std::max)({box.x_span(), box.y_span(), box.z_span(), std::abs(box.xmax()), std::abs(box.xmin()),
@@ -160,8 +156,11 @@ void generated()
 {
   double length = 0;
   const std::vector<std::pair<std::string, Soup>> soups = {
-    {"grid", rotated(jittered_grid(12, 9, 1), 2)}, {"cube", rotated(cube_grid(7), 3)}, {"torus", torus(40, 20)},
-    {"icosphere", icosphere(4)},                   {"genus 5", marching_genus_5(14)}};
+    {"grid", rotated(jittered_grid(12, 9, 1), 2)},
+    {"cube", rotated(cube_grid(7), 3)},
+    {"torus", torus(40, 20)},
+    {"icosphere", icosphere(4)},
+    {"genus 5", marching_genus_5(14)}};
   for (const auto& [name, soup] : soups)
   {
     Report::instance().set_context(name);
@@ -199,8 +198,7 @@ template <class TriangleMesh>
 void special_positions()
 {
   const auto expect = [](const TriangleMesh& mesh, const Plane_3& plane, double length, std::size_t number, std::size_t closed,
-                         std::size_t touched, std::size_t faces, std::size_t touched_edges = 0)
-  {
+                         std::size_t touched, std::size_t faces, std::size_t touched_edges = 0) {
     for (const Plane_3& p : {plane, plane.opposite()})
     {
       Measure m;
@@ -213,24 +211,24 @@ void special_positions()
   };
   const Generated_mesh<TriangleMesh> cube(cube_grid(4)); // the unit cube, 4 x 4 squares per side
   Report::instance().set_context("cube");
-  expect(cube.mesh, Plane_3(0, 0, 1, -0.5), 4, 1, 1, 0, 0);     // along edges
-  expect(cube.mesh, Plane_3(0, 0, 1, -0.6), 4, 1, 1, 0, 0);     // across
-  expect(cube.mesh, Plane_3(0, 0, 1, -1), 4, 1, 1, 0, 32);      // a side
+  expect(cube.mesh, Plane_3(0, 0, 1, -0.5), 4, 1, 1, 0, 0); // along edges
+  expect(cube.mesh, Plane_3(0, 0, 1, -0.6), 4, 1, 1, 0, 0); // across
+  expect(cube.mesh, Plane_3(0, 0, 1, -1), 4, 1, 1, 0, 32);  // a side
   expect(cube.mesh, Plane_3(0, 0, 1, 0), 4, 1, 1, 0, 32);
-  expect(cube.mesh, Plane_3(1, 1, 1, 0), 0, 0, 0, 1, 0);        // a corner
-  expect(cube.mesh, Plane_3(1, 1, 0, 0), 0, 0, 0, 0, 0, 4);     // an edge of the cube
-  expect(cube.mesh, Plane_3(1, 1, 1, -1), 3 * std::sqrt(2.), 1, 1, 0, 0); // through three corners
+  expect(cube.mesh, Plane_3(1, 1, 1, 0), 0, 0, 0, 1, 0);                      // a corner
+  expect(cube.mesh, Plane_3(1, 1, 0, 0), 0, 0, 0, 0, 0, 4);                   // an edge of the cube
+  expect(cube.mesh, Plane_3(1, 1, 1, -1), 3 * std::sqrt(2.), 1, 1, 0, 0);     // through three corners
   expect(cube.mesh, Plane_3(1, -1, 0, 0), 2 + 2 * std::sqrt(2.), 1, 1, 0, 0); // through four
-  expect(cube.mesh, Plane_3(0, 0, 1, -1.25), 0, 0, 0, 0, 0);    // misses it
+  expect(cube.mesh, Plane_3(0, 0, 1, -1.25), 0, 0, 0, 0, 0);                  // misses it
 
   Report::instance().set_context("grid");
   const Generated_mesh<TriangleMesh> grid(planar_grid(6, 4));
-  expect(grid.mesh, Plane_3(1, 0, 0, -3), 4, 1, 0, 0, 0);   // along edges, from border to border
-  expect(grid.mesh, Plane_3(1, 0, 0, 0), 4, 1, 0, 0, 0);    // along the border
+  expect(grid.mesh, Plane_3(1, 0, 0, -3), 4, 1, 0, 0, 0);                 // along edges, from border to border
+  expect(grid.mesh, Plane_3(1, 0, 0, 0), 4, 1, 0, 0, 0);                  // along the border
   expect(grid.mesh, Plane_3(1, -1, 0, 0), 4 * std::sqrt(2.), 1, 0, 0, 0); // along the diagonals
   expect(grid.mesh, Plane_3(1, 1, 0, -4), 4 * std::sqrt(2.), 1, 0, 0, 0); // across them, through vertices
-  expect(grid.mesh, Plane_3(1, 1, 0, 0), 0, 0, 0, 1, 0);    // a corner
-  expect(grid.mesh, Plane_3(0, 0, 1, 0), 0, 0, 0, 0, 48, 20); // all of it: its border
+  expect(grid.mesh, Plane_3(1, 1, 0, 0), 0, 0, 0, 1, 0);                  // a corner
+  expect(grid.mesh, Plane_3(0, 0, 1, 0), 0, 0, 0, 0, 48, 20);             // all of it: its border
 
   // polylines end where two lines of the section cross
   Soup saddle;
@@ -250,10 +248,11 @@ void special_positions()
 void touched_edges()
 {
   Soup soup; // a ridge at height 0 that goes over into a slope
-  for (const auto& p : {Point_3(0, 0, 0), Point_3(0, 1, 0), Point_3(0, 2, 0), Point_3(-1, 0, -1), Point_3(-1, 1, -1), Point_3(-1, 2, -1),
-                        Point_3(1, 0, -1), Point_3(1, 1, 1), Point_3(1, 2, 1)})
+  for (const auto& p : {Point_3(0, 0, 0), Point_3(0, 1, 0), Point_3(0, 2, 0), Point_3(-1, 0, -1), Point_3(-1, 1, -1),
+                        Point_3(-1, 2, -1), Point_3(1, 0, -1), Point_3(1, 1, 1), Point_3(1, 2, 1)})
     soup.points.push_back(p);
-  for (const auto& t : std::vector<std::array<std::size_t, 3>>{{3, 0, 4}, {0, 1, 4}, {4, 1, 5}, {1, 2, 5}, {0, 6, 1}, {6, 7, 1}, {1, 7, 2}, {7, 8, 2}})
+  for (const auto& t : std::vector<std::array<std::size_t, 3>>{
+         {3, 0, 4}, {0, 1, 4}, {4, 1, 5}, {1, 2, 5}, {0, 6, 1}, {6, 7, 1}, {1, 7, 2}, {7, 8, 2}})
     soup.add_triangle(t);
   const Generated_mesh<test::Surface_mesh> data(soup);
   const auto edge_between = [&](std::size_t a, std::size_t b) {
@@ -270,7 +269,9 @@ void touched_edges()
     CHECK(section.polylines.size() == 1);
     CHECK(geodesic.add_source_plane_section(plane) == (std::vector<std::size_t>{0, 1}));
     geodesic.build(CGAL::parameters::keep_windows(true));
-    const auto middle = [&](std::size_t triangle) { return Geodesic::Face_location(data.faces[triangle], {1. / 3, 1. / 3, 1. / 3}); };
+    const auto middle = [&](std::size_t triangle) {
+      return Geodesic::Face_location(data.faces[triangle], {1. / 3, 1. / 3, 1. / 3});
+    };
     const auto side_of = [&](std::size_t triangle) { return geodesic.nearest_source(middle(triangle))->side; };
     CHECK(side_of(1) == CGAL::Source_side::NONE && side_of(4) == CGAL::Source_side::NONE);
     CHECK(side_of(3) == (up > 0 ? CGAL::Source_side::RIGHT : CGAL::Source_side::LEFT));

@@ -29,8 +29,8 @@ typedef test::Locations<test::Surface_mesh> Locations;
 typedef Geodesic::Face_location Face_location;
 
 // Distances of all vertices from each segment's ends and inner points at `samples` equal steps; the longest step.
-std::vector<double> sampled_distances(const test::Surface_mesh& mesh, const Sections& sections,
-                                      std::size_t samples, double& longest_step)
+std::vector<double> sampled_distances(const test::Surface_mesh& mesh, const Sections& sections, std::size_t samples,
+                                      double& longest_step)
 {
   const Locations locations(mesh);
   Geodesic geodesic(mesh);
@@ -40,11 +40,9 @@ std::vector<double> sampled_distances(const test::Surface_mesh& mesh, const Sect
     {
       const Point_3 a = locations.point(section.between(locations, i, 0));
       const Point_3 b = locations.point(section.between(locations, i, 1));
-      longest_step = (std::max)(longest_step, std::sqrt(CGAL::squared_distance(a, b)) /
-                                                static_cast<double>(samples));
+      longest_step = (std::max)(longest_step, std::sqrt(CGAL::squared_distance(a, b)) / static_cast<double>(samples));
       for (std::size_t k = 0; k <= samples; ++k)
-        geodesic.add_source_point(
-          section.between(locations, i, static_cast<double>(k) / static_cast<double>(samples)));
+        geodesic.add_source_point(section.between(locations, i, static_cast<double>(k) / static_cast<double>(samples)));
     }
   geodesic.build();
   std::vector<double> result;
@@ -82,8 +80,7 @@ void run(const std::string& name, const test::Surface_mesh& mesh, unsigned seed)
       if (std::isinf(exact)) continue;
       CHECK_DETAIL(exact <= approximate * (1 + 1e-12) + rounding, values(exact, approximate));
       // The sample nearest to the foot of a shortest path is at most half a step away.
-      CHECK_DETAIL(approximate <= exact + longest_step / 2 * (1 + 1e-12) + rounding,
-                   values(exact, approximate));
+      CHECK_DETAIL(approximate <= exact + longest_step / 2 * (1 + 1e-12) + rounding, values(exact, approximate));
       largest_excess = (std::max)(largest_excess, exact - approximate);
       gap = (std::max)(gap, approximate - exact);
     }
@@ -92,9 +89,8 @@ void run(const std::string& name, const test::Surface_mesh& mesh, unsigned seed)
   // The gap is between linear (vertices near the section) and quadratic (distant vertices) in the step: 64 times the
   // samples reduce it by a factor of at least eight.
   CHECK_DETAIL(gaps.back() <= gaps.front() / 8 + rounding, values(gaps.back(), gaps.front()));
-  std::cout << Report::instance().context() << ": " << num_vertices(mesh) << " vertices, "
-            << segments << " segments; the section's distance exceeds the samples' by "
-            << largest_excess
+  std::cout << Report::instance().context() << ": " << num_vertices(mesh) << " vertices, " << segments
+            << " segments; the section's distance exceeds the samples' by " << largest_excess
             << ", the samples' exceeds the section's, at 1, 4, 16, 64 a segment, by";
   for (double gap : gaps) std::cout << ' ' << gap;
   std::cout << std::endl;
@@ -132,8 +128,8 @@ void run_in_faces_of_grid(unsigned seed)
 {
   Random random(seed);
   const double jitter = uniform(random) < 0.5 ? 0 : 0.2;
-  const Generated_mesh<test::Surface_mesh> data(
-    planar_grid(1 + uniform_index(random, 4), 1 + uniform_index(random, 4), Diagonals::random, 1, jitter, seed));
+  const Generated_mesh<test::Surface_mesh> data(planar_grid(1 + uniform_index(random, 4), 1 + uniform_index(random, 4),
+                                                            Diagonals::random, 1, jitter, seed));
   const test::Surface_mesh& mesh = data.mesh;
   const Locations locations(mesh);
   const auto random_face = [&] {
@@ -162,8 +158,7 @@ void run_in_faces_of_grid(unsigned seed)
   };
   geodesic.build(CGAL::parameters::keep_windows(true));
   double worst = 0;
-  for (auto v : vertices(mesh))
-    worst = (std::max)(worst, std::abs(geodesic.distance_to_sources(v) - expected(mesh.point(v))));
+  for (auto v : vertices(mesh)) worst = (std::max)(worst, std::abs(geodesic.distance_to_sources(v) - expected(mesh.point(v))));
   for (auto f : faces(mesh))
   {
     const Face_location l = random_location(f, random);
@@ -198,16 +193,13 @@ GEODESIC_OFFSET_TEST(test_polyline_sources)
   if (mesh_kinds().generated)
     for (const auto& mesh : generated)
       for (unsigned seed : {1u, 2u})
-        run_guarded(mesh.first, Generated_mesh<test::Surface_mesh>(rotated(mesh.second, seed)).mesh,
-                    seed);
+        run_guarded(mesh.first, Generated_mesh<test::Surface_mesh>(rotated(mesh.second, seed)).mesh, seed);
 
-  for (const char* name :
-       {"eight.off", "anchor.off", "elephant.off", "sphere966.off", "cube-meshed.off", "head.off",
-        "rotor.off", "mask_cone.off", "patch-01.off", "blobby.off"})
+  for (const char* name : {"eight.off", "anchor.off", "elephant.off", "sphere966.off", "cube-meshed.off", "head.off",
+                           "rotor.off", "mask_cone.off", "patch-01.off", "blobby.off"})
   {
     test::Surface_mesh mesh;
-    const std::string reason =
-      read_data_mesh(std::filesystem::path(data_directory()) / name, 10000, mesh);
+    const std::string reason = read_data_mesh(std::filesystem::path(data_directory()) / name, 10000, mesh);
     if (reason.empty()) run_guarded(name, mesh, 3);
     else std::cout << name << ": skipped, " << reason << std::endl;
   }

@@ -23,8 +23,7 @@ typedef std::vector<std::string> Arguments;
 class Bad_input
 {
 public:
-  explicit Bad_input(const std::string& program)
-    : program_(program), good_((scratch_ / "good.off").string())
+  explicit Bad_input(const std::string& program) : program_(program), good_((scratch_ / "good.off").string())
   {
     const Soup soup = icosphere(1);
     CGAL::IO::write_polygon_soup(good_, soup.points, soup.triangles);
@@ -51,7 +50,7 @@ private:
   Arguments with_outputs(Arguments arguments) const
   {
     const std::pair<const char*, const char*> outputs[] = {
-      {"--output", "out.polylines.txt"}, {"--output", "out.vtk"}, {"--output", "out.obj"}, {"--output", "out.dxf"},
+      {"--output", "out.polylines.txt"}, {"--output", "out.vtk"},  {"--output", "out.obj"},  {"--output", "out.dxf"},
       {"--field", "field.ply"},          {"--picture", "out.png"}, {"--stats", "stats.json"}};
     for (const auto& output : outputs)
     {
@@ -62,18 +61,15 @@ private:
   }
 
   // Expects an exit code, one line of errors with all the given words, and unchanged files.
-  void expect(int exit_code, const std::string& what, const Arguments& arguments,
-              bool add_outputs = true, const Arguments& words = {})
+  void expect(int exit_code, const std::string& what, const Arguments& arguments, bool add_outputs = true,
+              const Arguments& words = {})
   {
     Report::instance().set_context(what);
     const std::set<std::string> before = scratch_.files();
-    const Program_result result =
-      run_program(program_, add_outputs ? with_outputs(arguments) : arguments);
+    const Program_result result = run_program(program_, add_outputs ? with_outputs(arguments) : arguments);
     CHECK_DETAIL(result.exit_code == exit_code, "exit code " + std::to_string(result.exit_code));
-    const std::size_t lines =
-      static_cast<std::size_t>(std::count(result.errors.begin(), result.errors.end(), '\n'));
-    CHECK_DETAIL(lines == 1 && result.errors.size() > 10 && result.errors.back() == '\n',
-                 result.errors);
+    const std::size_t lines = static_cast<std::size_t>(std::count(result.errors.begin(), result.errors.end(), '\n'));
+    CHECK_DETAIL(lines == 1 && result.errors.size() > 10 && result.errors.back() == '\n', result.errors);
     for (const std::string& word : words)
       CHECK_DETAIL(result.errors.find(word) != std::string::npos, word + " is not in: " + result.errors);
     CHECK(scratch_.files() == before);
@@ -86,16 +82,13 @@ private:
   void sanity()
   {
     Report::instance().set_context("good input");
-    const Program_result result = run_program(
-      program_, with_outputs({good_, "--source-vertex", "0", "--distance", "0.5", "--quiet"}));
+    const Program_result result =
+      run_program(program_, with_outputs({good_, "--source-vertex", "0", "--distance", "0.5", "--quiet"}));
     CHECK_DETAIL(result.exit_code == 0, result.errors);
     CHECK(result.errors.empty());
-    for (const char* file :
-         {"out.polylines.txt", "out.vtk", "out.obj", "out.dxf", "field.ply", "out.png", "stats.json"})
+    for (const char* file : {"out.polylines.txt", "out.vtk", "out.obj", "out.dxf", "field.ply", "out.png", "stats.json"})
     {
-      CHECK_DETAIL(std::filesystem::exists(scratch_ / file) &&
-                     std::filesystem::file_size(scratch_ / file) > 0,
-                   file);
+      CHECK_DETAIL(std::filesystem::exists(scratch_ / file) && std::filesystem::file_size(scratch_ / file) > 0, file);
       std::filesystem::remove(scratch_ / file);
     }
   }
@@ -107,14 +100,11 @@ private:
     expect(usage, "two meshes", {good_, good_, "--source-vertex", "0", "--distance", "1"});
     expect(usage, "no source", {good_, "--distance", "1"});
     expect(usage, "no levels for the output", {good_, "--source-vertex", "0"});
-    expect(usage, "unknown option",
-           {good_, "--source-vertex", "0", "--distance", "1", "--unknown", "3"});
+    expect(usage, "unknown option", {good_, "--source-vertex", "0", "--distance", "1", "--unknown", "3"});
     expect(usage, "unknown flag", {good_, "--source-vertex", "0", "--distance", "1", "--sources"});
     expect(usage, "abbreviated option", {good_, "--source-vert", "0", "--distance", "1"});
-    expect(usage, "option without its value",
-           {good_, "--source-vertex", "0", "--distance", "1", "--spacing"}, false);
-    for (const char* distance :
-         {"0", "-1", "+-1", "++1", "nan", "NaN", "inf", "abc", "", "1x", "1,2", "-0", "1e999"})
+    expect(usage, "option without its value", {good_, "--source-vertex", "0", "--distance", "1", "--spacing"}, false);
+    for (const char* distance : {"0", "-1", "+-1", "++1", "nan", "NaN", "inf", "abc", "", "1x", "1,2", "-0", "1e999"})
       for (const char* option : {"--distance", "--spacing", "--maximum-distance", "--tolerance"})
       {
         Arguments arguments = {good_, "--source-vertex", "0", std::string(option) + "=" + distance};
@@ -126,8 +116,7 @@ private:
       expect(usage, std::string("count '") + count + "'",
              {good_, "--source-vertex", "0", "--spacing", "0.1", std::string("--count=") + count});
     for (const char* number : {"0", "-1", "1.5", "many", ""})
-      expect(usage, std::string("threads ") + number,
-             {good_, "--source-vertex", "0", std::string("--threads=") + number});
+      expect(usage, std::string("threads ") + number, {good_, "--source-vertex", "0", std::string("--threads=") + number});
     for (const char* index : {"-1", "x", "1.5", "nan", "", "99999999999999999999999"})
       expect(usage, std::string("source vertex '") + index + "'",
              {good_, std::string("--source-vertex=") + index, "--distance", "1"});
@@ -148,22 +137,16 @@ private:
              {good_, "--source-vertex", "0", "--distance", "1", std::string("--end=") + end});
     const Arguments field = {"--field", (scratch_ / "field.ply").string()};
     for (const char* option : {"--side=left", "--end=butt"})
-      expect(usage, std::string(option) + " without levels",
-             {good_, "--source-vertex", "0", option, field[0], field[1]}, false);
-    expect(usage, "two sides",
-           {good_, "--source-vertex", "0", "--distance", "1", "--side", "left", "--side", "right"});
+      expect(usage, std::string(option) + " without levels", {good_, "--source-vertex", "0", option, field[0], field[1]},
+             false);
+    expect(usage, "two sides", {good_, "--source-vertex", "0", "--distance", "1", "--side", "left", "--side", "right"});
     for (const char* output : {"out.xyz", "out", ".vtk.gz", "out.dxf.txt"})
       expect(usage, std::string("output '") + output + "'",
-             {good_, "--source-vertex", "0", "--distance", "1", "--output",
-              (scratch_ / output).string()});
+             {good_, "--source-vertex", "0", "--distance", "1", "--output", (scratch_ / output).string()});
     expect(usage, "field of a wrong type",
-           {good_, "--source-vertex", "0", "--distance", "1", "--field",
-            (scratch_ / "field.off").string()},
-           false);
+           {good_, "--source-vertex", "0", "--distance", "1", "--field", (scratch_ / "field.off").string()}, false);
     expect(usage, "picture of a wrong type",
-           {good_, "--source-vertex", "0", "--distance", "1", "--picture",
-            (scratch_ / "picture.jpg").string()},
-           false);
+           {good_, "--source-vertex", "0", "--distance", "1", "--picture", (scratch_ / "picture.jpg").string()}, false);
   }
 
   void expect_bad_mesh(const std::string& what, const std::string& file)
@@ -183,8 +166,8 @@ private:
     for (const std::filesystem::path& whole : whole_)
     {
       const std::string format = whole.extension().string(), bytes = read_file(whole);
-      CHECK(run_program(program_, {whole.string(), "--source-vertex", "0", "--distance", "0.5",
-                                   "--stats", (scratch_ / "ignored.json").string(), "--quiet"})
+      CHECK(run_program(program_, {whole.string(), "--source-vertex", "0", "--distance", "0.5", "--stats",
+                                   (scratch_ / "ignored.json").string(), "--quiet"})
               .exit_code == 0);
       std::filesystem::remove(scratch_ / "ignored.json");
       const auto bad = scratch_ / ("bad" + format);
@@ -196,12 +179,9 @@ private:
       {
         // Cut within a line: an .obj file cut between lines is a complete file.
         std::size_t size = static_cast<std::size_t>(part * static_cast<double>(bytes.size()));
-        while (size > 1 &&
-               (bytes[size - 1] == '\n' || bytes[size] == '\n' || bytes[size - 1] == ' '))
-          --size;
+        while (size > 1 && (bytes[size - 1] == '\n' || bytes[size] == '\n' || bytes[size - 1] == ' ')) --size;
         write_file(bad, bytes.substr(0, size));
-        if (format != ".obj")
-          expect_bad_mesh("truncated after " + std::to_string(part) + format, bad.string());
+        if (format != ".obj") expect_bad_mesh("truncated after " + std::to_string(part) + format, bad.string());
       }
       for (std::size_t size : {7, 300, 20000})
       {
@@ -211,8 +191,7 @@ private:
         expect_bad_mesh("random bytes" + format, bad.string());
       }
       std::string header = bytes.substr(0, bytes.find('\n') + 1);
-      for (std::size_t i = 0; i < 1000; ++i)
-        header += static_cast<char>(uniform_index(random, 256));
+      for (std::size_t i = 0; i < 1000; ++i) header += static_cast<char>(uniform_index(random, 256));
       write_file(bad, header);
       expect_bad_mesh("random bytes after the first line" + format, bad.string());
       std::filesystem::remove(bad);
@@ -278,14 +257,12 @@ private:
     Random random(2);
     for (std::size_t i = 0; i < 500; ++i) noise += static_cast<char>(uniform_index(random, 256));
     write_file(polyline, noise);
-    expect(input, "random bytes in a polyline",
-           with_source("--source-polyline", polyline.string()));
+    expect(input, "random bytes in a polyline", with_source("--source-polyline", polyline.string()));
 
     sides_and_planes();
 
     expect(input, "output in a missing directory",
-           {good_, "--source-vertex", "0", "--distance", "0.5", "--output",
-            (scratch_ / "missing/out.vtk").string()});
+           {good_, "--source-vertex", "0", "--distance", "0.5", "--output", (scratch_ / "missing/out.vtk").string()});
   }
 
   void sides_and_planes()
@@ -294,8 +271,7 @@ private:
     write_file(curve, "\n2 0 0 1 1 0 0\n");
     for (const char* side : {"inside", "outside"})
       expect(input, std::string("an open polyline and the side ") + side,
-             {good_, "--source-polyline", curve, "--distance", "0.5", "--side", side}, true,
-             {curve, "line 2", "open"});
+             {good_, "--source-polyline", curve, "--distance", "0.5", "--side", side}, true, {curve, "line 2", "open"});
     // around the hole of a torus there is no inside; the message says which curve is affected
     const Soup torus = test::torus(24, 12);
     const std::string ring = (scratch_ / "torus.off").string();
@@ -308,8 +284,7 @@ private:
     }
     write_file(curve, "4 1.34 0 0.2 1.33 0.2 0.2 1.2 0.1 0.33 1.34 0 0.2\n" + around + "\n");
     expect(input, "a closed polyline without an inside",
-           {ring, "--source-polyline", curve, "--distance", "0.1", "--side", "inside"}, true,
-           {curve, "line 2", "inside"});
+           {ring, "--source-polyline", curve, "--distance", "0.1", "--side", "inside"}, true, {curve, "line 2", "inside"});
     std::filesystem::remove(curve);
     std::filesystem::remove(ring);
 

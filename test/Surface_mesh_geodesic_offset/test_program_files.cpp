@@ -101,7 +101,8 @@ private:
     fs::create_symlink("in.obj", path("soft.obj"));
     fs::create_symlink(scratch_ / "", path("folder"));
     fs::create_hard_link(curve, path("other.polylines.txt"));
-    for (const char* alias : {"in.obj", "./in.obj", "folder/in.obj", "folder/folder/in.obj", "hard.obj", "soft.obj", "folder/soft.obj"})
+    for (const char* alias :
+         {"in.obj", "./in.obj", "folder/in.obj", "folder/folder/in.obj", "hard.obj", "soft.obj", "folder/soft.obj"})
       expect_named_twice(std::string("the mesh as ") + alias,
                          {obj, "--source-vertex", "0", "--distance", "1", "--output", path(alias)}, {"'" + obj + "'", "twice"});
     expect_named_twice("a polyline by another name",
@@ -111,7 +112,8 @@ private:
     for (const char* name : {"keep.vtk", "new.vtk"})
       for (const std::string prefix : {"./", "folder/", "folder/./"})
         expect_named_twice(name + (" also as " + prefix) + name,
-                           {obj, "--source-vertex", "0", "--distance", "1", "--output", path(name), "--output", path(prefix + name)},
+                           {obj, "--source-vertex", "0", "--distance", "1", "--output", path(name), "--output",
+                            path(prefix + name)},
                            {path(name), path(prefix + name)});
     Report::instance().set_context("nothing is lost");
     CHECK(read_file(obj) == obj_bytes && read_file(curve) == curve_bytes && read_file(path("keep.vtk")) == "old");
@@ -125,8 +127,8 @@ private:
       run_program(validator_, {obj, "--source-vertex", "0", "--distances", table, "--per-vertex", path("rows.txt")});
     CHECK_DETAIL(result.exit_code == 2 && result.errors.find("twice") != std::string::npos, result.errors);
     CHECK(read_file(table) == "0\n1\n1\n");
-    for (const char* name : {"in.obj", "hard.obj", "soft.obj", "folder", "curve.polylines.txt", "other.polylines.txt", "keep.vtk",
-                             "table.txt", "rows.txt"})
+    for (const char* name : {"in.obj", "hard.obj", "soft.obj", "folder", "curve.polylines.txt", "other.polylines.txt",
+                             "keep.vtk", "table.txt", "rows.txt"})
       fs::remove(scratch_ / name);
   }
 
@@ -192,7 +194,8 @@ private:
       const std::string file = path("crowded.off");
       write_file(file, "OFF\n" + std::to_string(vertices) + ' ' + std::to_string(faces) + " 0\n0 0 1\n" + rows);
       const double start = processor_seconds();
-      const Program_result result = run_program(program_, {file, "--source-vertex", "2", "--maximum-distance", "1e-9", "--quiet"});
+      const Program_result result =
+        run_program(program_, {file, "--source-vertex", "2", "--maximum-distance", "1e-9", "--quiet"});
       CHECK_DETAIL(result.exit_code == 0, result.errors);
       const double seconds = processor_seconds() - start;
       CHECK_DETAIL(seconds < most_seconds, std::to_string(seconds));
@@ -308,7 +311,8 @@ private:
     fs::remove(grid);
     // as nohup does
     Report::instance().set_context("an ignored signal");
-    CHECK(in_shell("trap '' HUP INT; (sleep 0.1; kill -HUP $$; kill -INT $$) &", on_mesh({"--spacing", "0.01"})).exit_code == 0);
+    CHECK(in_shell("trap '' HUP INT; (sleep 0.1; kill -HUP $$; kill -INT $$) &", on_mesh({"--spacing", "0.01"})).exit_code ==
+          0);
   }
 
   void full_disk()
@@ -321,8 +325,8 @@ private:
       with_output.insert(with_output.end(), {"--output", path(name)});
       expect_error(1, std::string("no room for ") + name, in_shell("ulimit -f 4;", with_output), {path(name), "large"}, before);
     }
-    expect_error(1, "no room for a field", in_shell("ulimit -f 1;", on_mesh({"--field", path("f.ply")})), {path("f.ply"), "large"},
-                 before);
+    expect_error(1, "no room for a field", in_shell("ulimit -f 1;", on_mesh({"--field", path("f.ply")})),
+                 {path("f.ply"), "large"}, before);
     expect_error(1, "no room for a split mesh",
                  in_shell("ulimit -f 4;", on_mesh({"--spacing", "0.1", "--split", path("s.ply")})), {path("s.ply"), "large"},
                  before);
@@ -348,7 +352,8 @@ private:
       arguments.insert(arguments.end(), more.begin(), more.end());
       return run_program(program_, arguments);
     };
-    expect_error(2, "levels beyond the range", with({"--spacing", "1e308", "--count", "5"}), {"--spacing 1e+308", "--count 5"}, before);
+    expect_error(2, "levels beyond the range", with({"--spacing", "1e308", "--count", "5"}), {"--spacing 1e+308", "--count 5"},
+                 before);
     expect_error(2, "levels below rounding", with({"--spacing", "1e-300", "--count", "5"}), {"--spacing 1e-300"}, before);
     expect_error(2, "a count beyond the range", with({"--spacing", "1", "--count", "18446744073709551616"}),
                  {"--count", "18446744073709551616"}, before);
@@ -361,8 +366,8 @@ private:
     fs::resize_file(large, std::uintmax_t(3) << 30);
     std::set<std::string> with_large = before;
     with_large.insert(large);
-    expect_error(1, "a file larger than the memory",
-                 in_shell("ulimit -v 2000000;", {large, "--source-vertex", "0"}), {large, "needs at least 3.2 GB"}, with_large);
+    expect_error(1, "a file larger than the memory", in_shell("ulimit -v 2000000;", {large, "--source-vertex", "0"}),
+                 {large, "needs at least 3.2 GB"}, with_large);
     fs::remove(large);
     // a small file of a large mesh
     std::string fan = "OFF\n3 1000000 0\n0 0 0\n1 0 0\n0 1 0\n";
@@ -406,19 +411,29 @@ private:
       {"two open fans", "OFF\n5 2 0\n" + open_points + "3 0 1 2\n3 2 3 4\n", 1, 2, {1, 0, 1, 2, 1 + s}},
       {"two open fans, one of them reversed", "OFF\n5 2 0\n" + open_points + "3 0 1 2\n3 2 4 3\n", 1, 2, {1, 0, 1, 2, 1 + s}},
       {"two closed fans", "OFF\n7 8 0\n" + closed_points + first + second, 1, 0, {1, 0, s, s, 2, 2, 2}},
-      {"two closed fans, faces mixed", "OFF\n7 8 0\n" + closed_points + "3 0 4 5\n3 0 2 1\n3 4 6 5\n3 0 1 3\n3 0 6 4\n3 0 3 2\n3 1 2 3\n3 0 5 6\n",
-       1, 0, {1, 0, s, s, 2, 2, 2}},
-      {"an open and a closed fan", "OFF\n6 5 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n-1 0 0\n0 -1 0\n" + first + "3 0 4 5\n", 4, 0, {1, 2, 2, 2, 0, s}},
+      {"two closed fans, faces mixed",
+       "OFF\n7 8 0\n" + closed_points + "3 0 4 5\n3 0 2 1\n3 4 6 5\n3 0 1 3\n3 0 6 4\n3 0 3 2\n3 1 2 3\n3 0 5 6\n",
+       1,
+       0,
+       {1, 0, s, s, 2, 2, 2}},
+      {"an open and a closed fan",
+       "OFF\n6 5 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n-1 0 0\n0 -1 0\n" + first + "3 0 4 5\n",
+       4,
+       0,
+       {1, 2, 2, 2, 0, s}},
       {"the source is shared", "OFF\n7 8 0\n" + closed_points + first + second, 0, 0, {0, 1, 1, 1, 1, 1, 1}},
       {"an edge of three faces beside two fans",
-       "OFF\n7 4 0\n0 0 0\n1 0 0\n0 1 0\n0 -1 0\n0 0 1\n0 2 0\n1 2 0\n3 0 1 2\n3 1 0 3\n3 0 1 4\n3 2 6 5\n", 6, 2, {}}};
+       "OFF\n7 4 0\n0 0 0\n1 0 0\n0 1 0\n0 -1 0\n0 0 1\n0 2 0\n1 2 0\n3 0 1 2\n3 1 0 3\n3 0 1 4\n3 2 6 5\n",
+       6,
+       2,
+       {}}};
     for (const Case& c : cases)
     {
       Report::instance().set_context(c.name);
       const std::string mesh = path("shared.off"), ply = path("field.ply");
       write_file(mesh, c.mesh);
-      const Words arguments = {mesh, "--source-vertex", std::to_string(c.source), "--field", ply, "--spacing", "0.3",
-                               "--output", path("out.vtk"), "--quiet"};
+      const Words arguments = {mesh,  "--source-vertex", std::to_string(c.source), "--field", ply, "--spacing",
+                               "0.3", "--output",        path("out.vtk"),          "--quiet"};
       const Program_result result = run_program(program_, arguments);
       CHECK_DETAIL(result.exit_code == 0 && result.output.empty(), result.errors);
       CHECK_DETAIL(std::count(result.errors.begin(), result.errors.end(), '\n') == 1 &&

@@ -25,10 +25,7 @@ using namespace test;
 
 typedef std::vector<std::string> Words;
 
-bool contains(const std::string& text, const std::string& word)
-{
-  return text.find(word) != std::string::npos;
-}
+bool contains(const std::string& text, const std::string& word) { return text.find(word) != std::string::npos; }
 
 double json_number(const std::string& json, const std::string& key)
 {
@@ -46,8 +43,7 @@ public:
     write_file(scratch_ / "plate.off", "OFF\n8 8 0\n0 0 0\n100 0 0\n100 60 0\n0 60 0\n"
                                        "35 20 0\n65 20 0\n65 40 0\n35 40 0\n"
                                        "3 0 1 5\n3 0 5 4\n3 1 2 6\n3 1 6 5\n3 2 3 7\n3 2 7 6\n3 3 0 4\n3 3 4 7\n");
-    write_file(scratch_ / "plain.off",
-               "OFF\n4 2 0\n0 0 0\n100 0 0\n100 60 0\n0 60 0\n3 0 1 2\n3 0 2 3\n");
+    write_file(scratch_ / "plain.off", "OFF\n4 2 0\n0 0 0\n100 0 0\n100 60 0\n0 60 0\n3 0 1 2\n3 0 2 3\n");
     write_file(scratch_ / "square.polylines.txt", "5 10 5 0 30 5 0 30 15 0 10 15 0 10 5 0\n");
     const Soup sphere = icosphere(1), cube = box_sides(2, 2, 2).triangulated(0, 0, 1);
     CGAL::IO::write_polygon_soup(path("sphere.off"), sphere.points, sphere.triangles);
@@ -92,12 +88,11 @@ private:
   static void check_line(const std::string& text, const Words& words)
   {
     const Words lines = lines_of(text);
-    CHECK_DETAIL(std::any_of(lines.begin(), lines.end(),
-                             [&](const std::string& line)
-                             {
-                               return std::all_of(words.begin(), words.end(),
-                                                  [&](const std::string& w) { return contains(line, w); });
-                             }),
+    CHECK_DETAIL(std::any_of(
+                   lines.begin(), lines.end(),
+                   [&](const std::string& line) {
+      return std::all_of(words.begin(), words.end(), [&](const std::string& w) { return contains(line, w); });
+                   }),
                  (words.empty() ? "" : words.front() + " ... ") + "is no line of: " + text);
   }
 
@@ -180,10 +175,11 @@ private:
   {
     // the diagonal is 116.6
     const Words level = {"--distance", "5"};
-    const auto at_height = [&](const std::string& z)
-    { return on_plate({"--source-point", "20,30," + z, "--distance", "5"}); };
-    check_line(expect_good("a point on the surface", at_height("0")).output, {"sources", "1 point", "moved to the surface, by at most 0"});
-    check_line(expect_good("a point nearly on the surface", at_height("0.5")).output, {"sources", "moved to the surface, by at most 0.5"});
+    const auto at_height = [&](const std::string& z) { return on_plate({"--source-point", "20,30," + z, "--distance", "5"}); };
+    check_line(expect_good("a point on the surface", at_height("0")).output,
+               {"sources", "1 point", "moved to the surface, by at most 0"});
+    check_line(expect_good("a point nearly on the surface", at_height("0.5")).output,
+               {"sources", "moved to the surface, by at most 0.5"});
     check_line(expect_good("a point 1 % off", at_height("-1.16")).output, {"moved to the surface, by at most 1.16"});
     expect_warning("a point more than 1 % off", at_height("1.17"), {"--source-point 20,30,1.17", "1.17 away", "1 % of"});
     expect_warning("a point far off", at_height("50"), {"--source-point 20,30,50", "50 away", "42.9 % of"});
@@ -194,14 +190,14 @@ private:
       expect_warning("a curve 1000 times too large", on_plate({"--source-polyline", curve, "--distance", "5"}),
                      {curve, "line 3", "point 1", "times the diagonal", "unit"});
     check_line(result.output, {"sources", "4 points", "moved to the surface, by at most "});
-    CHECK(!contains(expect_good("no point to be moved", on_plate({"--source-vertex", "0", "--distance", "5"})).output, "moved"));
+    CHECK(!contains(expect_good("no point to be moved", on_plate({"--source-vertex", "0", "--distance", "5"})).output,
+                    "moved"));
   }
 
   void beyond_the_surface()
   {
     const std::string file = path("out.polylines.txt");
-    const auto at = [&](const Words& levels)
-    {
+    const auto at = [&](const Words& levels) {
       Words arguments = on_plate({"--source-boundary", "--output", file});
       arguments.insert(arguments.end(), levels.begin(), levels.end());
       return arguments;
@@ -232,8 +228,7 @@ private:
     for (const char* side : {"left", "right", "inside", "outside"})
     {
       const Words effect = {"--side", side, "no effect"};
-      const auto with = [&](Words arguments)
-      {
+      const auto with = [&](Words arguments) {
         arguments.insert(arguments.end(), {"--distance", "0.5", "--side", side});
         return arguments;
       };
@@ -248,8 +243,9 @@ private:
     expect_good("both sides of a point", on_plate({"--source-vertex", "0", "--distance", "0.5", "--side", "both"}));
 
     // a square of 20 x 10
-    const auto square = [&](const std::string& side, const std::string& distance)
-    { return on_plate({"--source-polyline", path("square.polylines.txt"), "--side", side, "--distance", distance}); };
+    const auto square = [&](const std::string& side, const std::string& distance) {
+      return on_plate({"--source-polyline", path("square.polylines.txt"), "--side", side, "--distance", distance});
+    };
     expect_good("inside", square("inside", "4"));
     expect_warning("inside is empty", square("inside", "6"), {"no offset at distance 6", "--side inside"});
 
@@ -257,10 +253,9 @@ private:
                                "5 -1e-5 0 0 100 1e-5 0 99.99999 60 0 1e-5 60.00001 0 -1e-5 0 0\n"})
     {
       write_file(scratch_ / "border.polylines.txt", border);
-      const auto offset = [&](const std::string& side)
-      {
-        return with_stats({path("plain.off"), "--source-polyline", path("border.polylines.txt"), "--side", side,
-                           "--distance", "5"});
+      const auto offset = [&](const std::string& side) {
+        return with_stats({path("plain.off"), "--source-polyline", path("border.polylines.txt"), "--side", side, "--distance",
+                           "5"});
       };
       expect_good("inside of the border", offset("inside"));
       CHECK_DETAIL(std::abs(length_of_stats() - 280) < 1e-3, std::to_string(length_of_stats()));
@@ -271,8 +266,7 @@ private:
 
   void largest_distance()
   {
-    const Program_result result =
-      expect_good("largest distance", with_stats(on_plate({"--source-boundary"})));
+    const Program_result result = expect_good("largest distance", with_stats(on_plate({"--source-boundary"})));
     check_line(result.output, {"distances: up to 17.5834"});
     const double largest = json_number(stats(), "largest_distance");
     CHECK_DETAIL(std::abs(largest - reach_of_plate()) < 1e-12, values(largest, reach_of_plate()));
@@ -288,8 +282,7 @@ private:
   {
     const Soup soup = jittered_grid(40, 40, 5);
     CGAL::IO::write_polygon_soup(path("grid.off"), soup.points, soup.triangles);
-    const auto windows = [&](const std::string& what, Words more)
-    {
+    const auto windows = [&](const std::string& what, Words more) {
       Words arguments = {path("grid.off"), "--source-vertex", "0", "--distance", "2", "--distance", "4"};
       arguments.insert(arguments.end(), more.begin(), more.end());
       const Program_result result = expect_good(what, with_stats(arguments));
@@ -307,15 +300,13 @@ private:
 
   void levels()
   {
-    const auto levels = [&](const std::string& what, Words options, const std::vector<double>& expected)
-    {
+    const auto levels = [&](const std::string& what, Words options, const std::vector<double>& expected) {
       Words arguments = on_plate({"--source-boundary"});
       arguments.insert(arguments.end(), options.begin(), options.end());
       const Program_result result = expect_good(what, with_stats(arguments));
       const std::vector<double> actual = levels_of_stats();
       bool is_same = actual.size() == expected.size();
-      for (std::size_t i = 0; is_same && i < actual.size(); ++i)
-        is_same = std::abs(actual[i] - expected[i]) < 1e-12;
+      for (std::size_t i = 0; is_same && i < actual.size(); ++i) is_same = std::abs(actual[i] - expected[i]) < 1e-12;
       CHECK_DETAIL(is_same, std::to_string(actual.size()) + " levels");
       return result.output;
     };
@@ -328,8 +319,8 @@ private:
     check_line(levels("a number of distances", {"--distance", "1", "--distance", "2"}, {1, 2}), {"offsets: at 2 distances"});
     check_line(levels("a largest number", {"--spacing", "5"}, {5, 10, 15}), {"offsets: at no more than", "distances"});
     // more than ten thousand levels up to a bound that is three times too large, but not up to the largest distance
-    const std::string output = levels("a spacing that is small enough", {"--spacing", "0.005", "--maximum-distance", "0.0125"},
-                                      {0.005, 0.01});
+    const std::string output =
+      levels("a spacing that is small enough", {"--spacing", "0.005", "--maximum-distance", "0.0125"}, {0.005, 0.01});
     check_line(output, {"no more than 2 distances"});
     const Program_result many = expect_good("thousands", on_plate({"--source-boundary", "--spacing", "0.005"}));
     check_line(many.output, {"offsets: at no more than 3516 distances"});
@@ -339,8 +330,7 @@ private:
   void limits()
   {
     const std::string file = path("out.vtk");
-    const auto expect_limit = [&](const std::string& what, Words options, const Words& words)
-    {
+    const auto expect_limit = [&](const std::string& what, Words options, const Words& words) {
       Words arguments = on_plate({"--source-boundary", "--output", file, "--picture", path("out.png")});
       arguments.insert(arguments.end(), options.begin(), options.end());
       expect_error(usage, what, arguments, words);
@@ -371,20 +361,18 @@ private:
   void drawings()
   {
     const std::string drawing = path("out.svg"), curves = path("out.vtk"), figures = path("stats.json");
-    const auto clean = [&]
-    {
+    const auto clean = [&] {
       for (const std::string& file : {drawing, curves, figures}) std::filesystem::remove(file);
     };
     expect_error(input, "a curved mesh, before the work",
                  {path("sphere.off"), "--source-vertex", "0", "--distance", "0.5", "--output", drawing, "--output", curves},
                  {drawing, "plane"});
-    const Program_result early = run("a curved mesh", {path("sphere.off"), "--source-vertex", "0", "--distance", "0.5",
-                                                       "--output", drawing});
+    const Program_result early =
+      run("a curved mesh", {path("sphere.off"), "--source-vertex", "0", "--distance", "0.5", "--output", drawing});
     CHECK(!contains(early.output, "distances"));
 
     const Words on_cube = {path("cube.off"), "--source-point", "1,1,2"}; // in the middle of the upper side
-    const auto with = [](Words arguments, const Words& more)
-    {
+    const auto with = [](Words arguments, const Words& more) {
       arguments.insert(arguments.end(), more.begin(), more.end());
       return arguments;
     };
@@ -408,14 +396,12 @@ private:
   void units()
   {
     const std::string dxf = path("out.dxf"), svg = path("out.svg");
-    const auto with_unit = [&](const Words& unit)
-    {
+    const auto with_unit = [&](const Words& unit) {
       Words arguments = on_plate({"--source-boundary", "--distance", "5", "--output", dxf, "--output", svg});
       arguments.insert(arguments.end(), unit.begin(), unit.end());
       expect_good(unit.empty() ? "no unit" : unit.back(), arguments);
     };
-    const auto insunits = [&]
-    {
+    const auto insunits = [&] {
       const std::string text = read_file(dxf);
       const std::size_t at = text.find("$INSUNITS\n70\n");
       return at == std::string::npos ? -1 : std::atoi(text.c_str() + at + 13);
@@ -447,7 +433,8 @@ private:
     std::filesystem::remove(svg);
     for (const char* unit : {"", "MM", "km", "mm,cm", "1"})
       expect_error(usage, std::string("unit ") + unit,
-                   on_plate({"--source-boundary", "--distance", "5", "--output", dxf, std::string("--unit=") + unit}), {"--unit"});
+                   on_plate({"--source-boundary", "--distance", "5", "--output", dxf, std::string("--unit=") + unit}),
+                   {"--unit"});
     expect_error(usage, "a unit for a file without one",
                  on_plate({"--source-boundary", "--distance", "5", "--output", path("out.vtk"), "--unit", "mm"}),
                  {"--unit", ".dxf", ".svg"});
@@ -457,7 +444,8 @@ private:
   {
     const std::string curve = path("curve.polylines.txt");
     const Words source = on_plate({"--source-polyline", curve, "--distance", "5"});
-    for (const char* points : {"0 10 0\n50 30 0\n100 50 0\n", "1 2 3\n4 5 6\n", "0.5 0.25 0.125\n1 1 1\n", "10,10,0\n20,10,0\n"})
+    for (const char* points :
+         {"0 10 0\n50 30 0\n100 50 0\n", "1 2 3\n4 5 6\n", "0.5 0.25 0.125\n1 1 1\n", "10,10,0\n20,10,0\n"})
     {
       write_file(curve, points);
       expect_error(input, "one point per line", source, {curve, "line 1", "number of its points", "'2  0 0 0  1 0 0.5'"});
@@ -469,8 +457,8 @@ private:
     const std::string hint = "--source-plane 0,0,1,0";
     expect_error(usage, "blanks for commas", on_plate({"--source-plane", "0", "0", "1", "0", "--distance", "5"}),
                  {"commas", hint});
-    expect_error(usage, "blanks for commas and a minus",
-                 on_plate({"--source-plane", "0", "0", "1", "-5", "--distance", "5"}), {"commas", hint});
+    expect_error(usage, "blanks for commas and a minus", on_plate({"--source-plane", "0", "0", "1", "-5", "--distance", "5"}),
+                 {"commas", hint});
     expect_error(usage, "blanks after commas", on_plate({"--source-point", "1,", "2,", "3", "--distance", "5"}), {"commas"});
     expect_error(usage, "one number", on_plate({"--source-plane", "1", "--distance", "5"}),
                  {"--source-plane", "4 finite numbers", "commas"});
@@ -478,8 +466,7 @@ private:
 
   void polygons()
   {
-    const auto distances = [&](const std::string& what, const std::string& mesh, const Words& note)
-    {
+    const auto distances = [&](const std::string& what, const std::string& mesh, const Words& note) {
       write_file(scratch_ / "polygons.off", mesh);
       const std::string field = path("field.ply");
       const Program_result result =
@@ -499,8 +486,7 @@ private:
       }
       return result_distances;
     };
-    const auto all_reached = [](const std::vector<double>& distances)
-    {
+    const auto all_reached = [](const std::vector<double>& distances) {
       for (const double d : distances) CHECK(std::isfinite(d));
     };
     const Words note = {"not planar or not simple", "face 0"};
@@ -537,12 +523,46 @@ private:
   void help_and_version()
   {
     const Program_result help = expect_good("help", {"--help"});
-    for (const char* option : {"--source-vertex", "--source-point", "--source-polyline", "--source-plane", "--source-boundary",
-                               "--source-sharp-edges", "--section-near", "--boundary-near", "--sharp-edges-near", "--start-value", "--project",
-                               "--distance", "--spacing", "--start", "--count", "--maximum-distance",
-                               "--relative-tolerance", "--merging-tolerance", "--side", "--end", "--path-from", "--path-from-vertex", "--path-output", "--farthest-point",
-                               "--tolerance", "--output", "--unit", "--field", "--field-details", "--split", "--voronoi", "--picture",
-                               "--view", "--up", "--stats", "--no-stitch", "--threads", "--quiet", "--version"})
+    for (const char* option :
+         {"--source-vertex",
+          "--source-point",
+          "--source-polyline",
+          "--source-plane",
+          "--source-boundary",
+          "--source-sharp-edges",
+          "--section-near",
+          "--boundary-near",
+          "--sharp-edges-near",
+          "--start-value",
+          "--project",
+          "--distance",
+          "--spacing",
+          "--start",
+          "--count",
+          "--maximum-distance",
+          "--relative-tolerance",
+          "--merging-tolerance",
+          "--side",
+          "--end",
+          "--path-from",
+          "--path-from-vertex",
+          "--path-output",
+          "--farthest-point",
+          "--tolerance",
+          "--output",
+          "--unit",
+          "--field",
+          "--field-details",
+          "--split",
+          "--voronoi",
+          "--picture",
+          "--view",
+          "--up",
+          "--stats",
+          "--no-stitch",
+          "--threads",
+          "--quiet",
+          "--version"})
       CHECK_DETAIL(contains(help.output, option), option);
     check_line(help.output, {"2  0 0 0  1 0 0.5"}); // format of polylines
     CHECK(contains(help.output, "one polyline per line"));
@@ -556,8 +576,9 @@ private:
   {
     const Soup soup = jittered_grid(60, 60, 5);
     CGAL::IO::write_polygon_soup(path("grid.off"), soup.points, soup.triangles);
-    const Words arguments = {path("grid.off"), "--source-vertex", "0",  "--spacing", "10", "--output", path("out.vtk"),
-                             "--field",        path("out.ply"),   "--picture", path("out.png")};
+    const Words arguments = {path("grid.off"), "--source-vertex", "0",       "--spacing",     "10",
+                             "--output",       path("out.vtk"),   "--field", path("out.ply"), "--picture",
+                             path("out.png")};
     Report::instance().set_context("on a terminal");
     const Program_result shown = run_program_on_terminal(program_, arguments);
     CHECK(shown.exit_code == 0);

@@ -31,8 +31,9 @@ public:
     : program_(validate), mesh_((scratch_ / "mesh.off").string()), curves_((scratch_ / "curves.polylines.txt").string())
   {
     write_off(mesh_, torus(16, 12));
-    const Program_result r = run_program(geodesic_offset, {mesh_, "--source-vertex", "0", "--distance", "1.6", "--tolerance",
-                                                           "1e-4", "--output", curves_, "--quiet"});
+    const Program_result r =
+      run_program(geodesic_offset,
+                  {mesh_, "--source-vertex", "0", "--distance", "1.6", "--tolerance", "1e-4", "--output", curves_, "--quiet"});
     CHECK_DETAIL(r.exit_code == 0, r.errors);
     std::istringstream in(read_file(curves_));
     for (std::string line; std::getline(in, line);)
@@ -70,13 +71,15 @@ public:
       bad[i] = reversed(lines_[i]);
       const std::string reverse = run(bad, certified);
       CHECK_DETAIL(reverse.find("\nreversed: 1 ") != std::string::npos &&
-                     reverse.find("the first one in line " + std::to_string(i + 1) + ")") != std::string::npos, reverse);
+                     reverse.find("the first one in line " + std::to_string(i + 1) + ")") != std::string::npos,
+                   reverse);
 
       bad = lines_;
       bad[i] = moved(lines_[i]);
       const std::string away = run(bad, not_certified);
       CHECK_DETAIL(away.find("\nsurface: no (") != std::string::npos &&
-                     away.find("line " + std::to_string(i + 1) + ": point 0 is ") != std::string::npos, away);
+                     away.find("line " + std::to_string(i + 1) + ": point 0 is ") != std::string::npos,
+                   away);
       run(bad, not_certified, {"--surface-tolerance", "100", "--tolerance", "1e-3"});
     }
   }

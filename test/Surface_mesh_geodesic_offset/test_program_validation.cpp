@@ -72,8 +72,7 @@ class Case
 {
 public:
   Case(const std::string& validate, const std::string& name, const Soup& soup, std::size_t source = 0, bool is_flat = false)
-    : soup(soup), source(source), is_flat(is_flat), program_(validate), name_(name),
-      mesh_file_((scratch / "mesh.off").string())
+    : soup(soup), source(source), is_flat(is_flat), program_(validate), name_(name), mesh_file_((scratch / "mesh.off").string())
   {
     write_off(mesh_file_, soup);
     CHECK(CGAL::IO::read_polygon_mesh(mesh_file_, mesh));
@@ -93,7 +92,7 @@ public:
     Report::instance().set_context(name_ + ", " + table_name);
     const std::string table_file = (scratch / table_name).string(), rows_file = (scratch / "rows.txt").string();
     write_file(table_file, table);
-    Arguments arguments = {mesh_file_, "--source-vertex", std::to_string(source), "--distances", table_file,
+    Arguments arguments = {mesh_file_,     "--source-vertex", std::to_string(source), "--distances", table_file,
                            "--per-vertex", rows_file};
     arguments.insert(arguments.end(), more.begin(), more.end());
     const Program_result result = run_program(program_, arguments);
@@ -189,10 +188,8 @@ void disturbed_distances_are_found(Case& c)
         CHECK(report.number(std::string("outside, ") + kind, "at vertex") == static_cast<double>(v));
       CHECK(std::abs(report.number("outside, absolute", "largest") - 1e-9) < 1e-12);
       for (std::size_t u = 0; u < c.size(); ++u)
-        if (u == v)
-          CHECK(std::abs(c.rows[u].error - error) < 1e-12);
-        else
-          CHECK(c.rows[u].error == 0);
+        if (u == v) CHECK(std::abs(c.rows[u].error - error) < 1e-12);
+        else CHECK(c.rows[u].error == 0);
 
       // the tolerance is relative to the bound
       const double part = std::abs(error) / c.exact[v];
@@ -316,9 +313,8 @@ void other_methods_are_judged(Case& c)
     const double length = std::sqrt(CGAL::squared_distance(c.soup.points[c.source], c.soup.points[v]));
     straight.push_back(c.exact[v] == infinity ? infinity : length * (1 - 1e-15));
   }
-  const Validation_report too_short =
-    c.run(c.is_flat ? all_inside : some_outside, "straight.txt", column_table(straight),
-          {"--tolerance", c.is_flat ? "1e-14" : "0"});
+  const Validation_report too_short = c.run(c.is_flat ? all_inside : some_outside, "straight.txt", column_table(straight),
+                                            {"--tolerance", c.is_flat ? "1e-14" : "0"});
   CHECK(too_short.count("too long") == 0);
   CHECK(c.is_flat || too_short.count("too short") > c.size() / 4);
   CHECK(c.is_flat || too_short.number("bias, absolute") < 0);
@@ -427,8 +423,8 @@ void borders_stay_apart(const std::string& program)
 {
   // two triangles that share no vertex, along an edge at the same place
   Soup soup;
-  for (const Point_3& p : {Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0, 1, 0), Point_3(1, 0, 0), Point_3(1, 1, 0),
-                           Point_3(0, 1, 0)})
+  for (const Point_3& p :
+       {Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0, 1, 0), Point_3(1, 0, 0), Point_3(1, 1, 0), Point_3(0, 1, 0)})
     soup.points.push_back(p);
   soup.add_triangle({0, 1, 2});
   soup.add_triangle({3, 4, 5});
@@ -442,8 +438,7 @@ void help(const std::string& program)
   Report::instance().set_context("help");
   const Program_result result = run_program(program, {"--help"});
   CHECK(result.exit_code == 0 && result.errors.empty());
-  for (const char* word :
-       {"--source-vertex", "--distances", "--property", "--tolerance", "--per-vertex", "Exit code", " 3 "})
+  for (const char* word : {"--source-vertex", "--distances", "--property", "--tolerance", "--per-vertex", "Exit code", " 3 "})
     CHECK_DETAIL(result.output.find(word) != std::string::npos, word);
 }
 

@@ -31,8 +31,8 @@ class Bad_input
 {
 public:
   Bad_input(const std::string& program, const std::string& geodesic_offset)
-    : program_(program), soup_(icosphere(1)), mesh_((scratch_ / "good.off").string()),
-      table_((scratch_ / "good.txt").string()), rows_((scratch_ / "rows.txt").string())
+    : program_(program), soup_(icosphere(1)), mesh_((scratch_ / "good.off").string()), table_((scratch_ / "good.txt").string()),
+      rows_((scratch_ / "rows.txt").string())
   {
     write_off(mesh_, soup_);
     // true distances, so that only the intended errors are wrong
@@ -143,15 +143,14 @@ private:
     expect(usage, "a source point that is none", on(table_, {"--source-point=1,2"}), {"--source-point"});
     expect(usage, "a property of a text file", on(table_, {"--property", "distance"}), {"--property", table_});
     for (const std::string& file : {mesh_, table_})
-      expect(usage, "output over an input",
-             {mesh_, "--source-vertex", "0", "--distances", table_, "--per-vertex", file}, {file, "twice"});
+      expect(usage, "output over an input", {mesh_, "--source-vertex", "0", "--distances", table_, "--per-vertex", file},
+             {file, "twice"});
   }
 
   void bad_meshes_and_sources()
   {
     const std::string missing = (scratch_ / "missing.off").string();
-    expect(input, "missing mesh", {missing, "--source-vertex", "0", "--distances", table_, "--per-vertex", rows_},
-           {missing});
+    expect(input, "missing mesh", {missing, "--source-vertex", "0", "--distances", table_, "--per-vertex", rows_}, {missing});
     expect_bad_mesh("unknown format", ".xyz", read_file(mesh_), {"must end in"});
     expect_bad_mesh("truncated mesh", ".off", read_file(mesh_).substr(0, 300), {"ends"});
     expect_bad_mesh("quadrilateral", ".off", "OFF\n5 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0.1\n2 0 0\n3 1 4 2\n4 0 1 2 3\n",
@@ -218,8 +217,7 @@ private:
     expect_bad_table("one word among pairs", ".txt", with_line(true, 9, "1"), {"line 10", "1 word"});
     expect_bad_table("three words", ".txt", "0 1 2\n" + column_table(distances_), {"line 1", "3 words"});
     expect_bad_table("index out of range", ".txt", with_line(true, 9, "42 1"), {"line 10", "no vertex 42", mesh_});
-    expect_bad_table("index far out of range", ".txt", with_line(true, 9, "99999999999999999999999 1"),
-                     {"line 10", "index"});
+    expect_bad_table("index far out of range", ".txt", with_line(true, 9, "99999999999999999999999 1"), {"line 10", "index"});
     for (const char* index : {"-1", "1.5", "x", "nan"})
       expect_bad_table(std::string("index ") + index, ".txt", with_line(true, 9, std::string(index) + " 1"),
                        {"line 10", std::string("'") + index + "'", "index"});
@@ -252,9 +250,7 @@ private:
     expect(input, "missing PLY table", on(missing), {missing});
     expect_bad_table("a text under the name of a PLY file", ".ply", column_table(distances_), {"ply"});
     const std::pair<const char*, Ply_format> formats[] = {
-      {"ASCII, ", Ply_format::ascii},
-      {"little endian, ", Ply_format::little_endian},
-      {"big endian, ", Ply_format::big_endian}};
+      {"ASCII, ", Ply_format::ascii}, {"little endian, ", Ply_format::little_endian}, {"big endian, ", Ply_format::big_endian}};
     for (const auto& format : formats)
     {
       const std::string name = format.first, whole = ply(format.second);
@@ -285,8 +281,7 @@ private:
                        {"43 vertices", mesh_, "42"});
       expect_bad_table(name + "absurd number of vertices", ".ply", replaced(whole, "vertex 42", "vertex 4000000000"),
                        {"4000000000 vertices", mesh_});
-      expect_bad_table(name + "no vertices", ".ply", replaced(whole, "element vertex 42", "element point 42"),
-                       {"no vertices"});
+      expect_bad_table(name + "no vertices", ".ply", replaced(whole, "element vertex 42", "element point 42"), {"no vertices"});
       expect_bad_table(name + "an element without properties", ".ply",
                        replaced(whole, "element vertex", "element nothing 99999999999\nelement vertex"), {"'nothing'"});
       expect_bad_table(name + "an unknown format", ".ply",
@@ -340,8 +335,8 @@ private:
     expect(input, "output in a missing directory",
            {mesh_, "--source-vertex", "0", "--distances", table_, "--per-vertex", folder}, {folder});
     const std::string directory = std::filesystem::path(mesh_).parent_path().string();
-    expect(input, "a directory as output",
-           {mesh_, "--source-vertex", "0", "--distances", table_, "--per-vertex", directory}, {directory});
+    expect(input, "a directory as output", {mesh_, "--source-vertex", "0", "--distances", table_, "--per-vertex", directory},
+           {directory});
     if (!std::filesystem::exists("/dev/full")) return;
     Report::instance().set_context("no room for the report");
     Arguments arguments = {"-c", "exec \"$@\" > /dev/full", "sh", program_};
@@ -353,17 +348,15 @@ private:
     CHECK(!std::filesystem::exists(rows_));
   }
 
-  static bool contains(const std::string& text, const std::string& word)
-  {
-    return text.find(word) != std::string::npos;
-  }
+  static bool contains(const std::string& text, const std::string& word) { return text.find(word) != std::string::npos; }
 
   // Conditions that do not stop the program, and hints.
   void messages()
   {
     Report::instance().set_context("points that are moved to the surface");
-    const auto from_point = [&](const std::string& point)
-    { return run_program(program_, {mesh_, "--source-point", point, "--distances", table_}); };
+    const auto from_point = [&](const std::string& point) {
+      return run_program(program_, {mesh_, "--source-point", point, "--distances", table_});
+    };
     const Program_result near = from_point("0.9,0.1,0.2"), far = from_point("900,100,200");
     for (const Program_result* result : {&near, &far})
     {
@@ -375,8 +368,8 @@ private:
                    std::count(far.errors.begin(), far.errors.end(), '\n') == 1,
                  far.errors);
 
-    expect(usage, "blanks for commas",
-           {mesh_, "--source-plane", "0", "0", "1", "0", "--distances", table_}, {"--source-plane 0,0,1,0", "commas"});
+    expect(usage, "blanks for commas", {mesh_, "--source-plane", "0", "0", "1", "0", "--distances", table_},
+           {"--source-plane 0,0,1,0", "commas"});
     const std::string curve = (scratch_ / "curve.polylines.txt").string();
     write_file(curve, "0 0 1\n1 0 0\n");
     expect(input, "one point per line", {mesh_, "--source-polyline", curve, "--distances", table_},

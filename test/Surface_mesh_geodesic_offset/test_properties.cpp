@@ -40,8 +40,8 @@ class Properties
 {
 public:
   Properties(unsigned seed, Totals& totals)
-    : kind_(Search_meshes::kinds()[seed % Search_meshes::kinds().size()].first), random_(seed),
-      soup_(drawn_soup(seed)), data_(soup_), diagonal_(bounding_box_diagonal(data_.mesh)), totals_(totals)
+    : kind_(Search_meshes::kinds()[seed % Search_meshes::kinds().size()].first), random_(seed), soup_(drawn_soup(seed)),
+      data_(soup_), diagonal_(bounding_box_diagonal(data_.mesh)), totals_(totals)
   {
     const Open_geodesic geodesic(data_.mesh);
     for (Search_sources& s : sources_) s = Source_drawing(data_.mesh, geodesic, random_)();
@@ -63,7 +63,6 @@ public:
   }
 
 private:
-
   // Coordinates with 24 digits, so that midpoints of edges are exact.
   Soup drawn_soup(unsigned seed)
   {
@@ -231,7 +230,8 @@ private:
       totals_.curves += curves.size();
       CHECK_DETAIL(other_curves.size() == curves.size(), values(double(other_curves.size()), double(curves.size())));
       const double length = total_length(curves), other_length = total_length(other_curves) / factor;
-      CHECK_DETAIL(std::abs(other_length - length) <= Search_tolerances::length * (length + diagonal_), values(other_length, length));
+      CHECK_DETAIL(std::abs(other_length - length) <= Search_tolerances::length * (length + diagonal_),
+                   values(other_length, length));
     }
   }
 
@@ -298,8 +298,7 @@ GEODESIC_OFFSET_TEST(test_properties)
   const unsigned cases = argc > 1 ? unsigned(std::stoul(argv[1])) : 280, first = argc > 2 ? unsigned(std::stoul(argv[2])) : 1;
   flat_cap();
   Totals totals;
-  for (unsigned seed = first; seed < first + cases; ++seed)
-    try
+  for (unsigned seed = first; seed < first + cases; ++seed) try
     {
       Properties(seed, totals).check();
     }

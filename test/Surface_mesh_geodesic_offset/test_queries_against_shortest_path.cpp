@@ -42,8 +42,8 @@ struct Totals
   double seconds = 0;
 };
 
-std::vector<Query> random_queries(const Mesh_locations& locations, const test::Surface_mesh& mesh,
-                                  Random& random, std::size_t count)
+std::vector<Query> random_queries(const Mesh_locations& locations, const test::Surface_mesh& mesh, Random& random,
+                                  std::size_t count)
 {
   std::vector<Query> result;
   for (std::size_t i = 0; i < count; ++i)
@@ -70,8 +70,7 @@ Face_location just_inside(Face_location location)
 
 std::optional<std::vector<double>> reference_distances(const test::Surface_mesh& mesh,
                                                        const std::vector<Face_location>& sources,
-                                                       const std::vector<Query>& queries,
-                                                       std::string& failure)
+                                                       const std::vector<Query>& queries, std::string& failure)
 {
   try
   {
@@ -89,10 +88,8 @@ std::optional<std::vector<double>> reference_distances(const test::Surface_mesh&
     for (const Query& q : queries)
     {
       const double d =
-        q.kind == 2
-          ? shortest_path.shortest_distance_to_source_points(q.vertex).first
-          : shortest_path.shortest_distance_to_source_points(q.location.first, q.location.second)
-              .first;
+        q.kind == 2 ? shortest_path.shortest_distance_to_source_points(q.vertex).first
+                    : shortest_path.shortest_distance_to_source_points(q.location.first, q.location.second).first;
       result.push_back(d < 0 ? infinity : d); // -1 if unreachable
     }
     return result;
@@ -106,8 +103,8 @@ std::optional<std::vector<double>> reference_distances(const test::Surface_mesh&
 
 // Compares the path from a vertex, without kept windows, with `path`, traced with kept windows. They may differ if there
 // are several shortest paths.
-void check_without_windows(Path_checker& check, const Geodesic& geodesic, Vertex_index v,
-                           const Path_locations& path, Totals& totals)
+void check_without_windows(Path_checker& check, const Geodesic& geodesic, Vertex_index v, const Path_locations& path,
+                           Totals& totals)
 {
   const Path_locations other = check(geodesic, v, false);
   ++totals.vertex_paths;
@@ -120,9 +117,8 @@ void check_without_windows(Path_checker& check, const Geodesic& geodesic, Vertex
   totals.other_paths += same ? 0 : 1;
 }
 
-void compare(const std::string& name, const test::Surface_mesh& mesh,
-             const std::vector<Face_location>& sources, Random& random, std::size_t count,
-             Path_checker& check, Worst_error& worst, Totals& totals)
+void compare(const std::string& name, const test::Surface_mesh& mesh, const std::vector<Face_location>& sources, Random& random,
+             std::size_t count, Path_checker& check, Worst_error& worst, Totals& totals)
 {
   const std::vector<Query> queries = random_queries(check.locations, mesh, random, count);
   const auto start = std::chrono::steady_clock::now();
@@ -132,8 +128,7 @@ void compare(const std::string& name, const test::Surface_mesh& mesh,
   if (!expected)
   {
     std::replace(failure.begin(), failure.end(), '\n', ' ');
-    std::cout << name << ": not compared, Surface_mesh_shortest_path fails: " << failure
-              << std::endl;
+    std::cout << name << ": not compared, Surface_mesh_shortest_path fails: " << failure << std::endl;
   }
   Geodesic geodesic(mesh), without_windows(mesh);
   for (Geodesic* g : {&geodesic, &without_windows})
@@ -160,8 +155,7 @@ void compare(const std::string& name, const test::Surface_mesh& mesh,
       CHECK_THROWS(without_windows.nearest_source(q.location), std::logic_error);
       CHECK_THROWS(without_windows.gradient(q.location), std::logic_error);
       Path_locations none;
-      CHECK_THROWS(without_windows.shortest_path_to_sources(q.location, std::back_inserter(none)),
-                   std::logic_error);
+      CHECK_THROWS(without_windows.shortest_path_to_sources(q.location, std::back_inserter(none)), std::logic_error);
       CHECK(none.empty());
     }
     if (!expected) continue;
@@ -186,23 +180,19 @@ void run(const std::string& name, const test::Surface_mesh& mesh, std::size_t co
       sources.push_back(random_location(check.locations, mesh, random, kind == 3 ? i % 3 : kind));
     try
     {
-      compare(Report::instance().context(), mesh, sources, random, (count + 3 - kind) / 4, check,
-              worst, totals);
+      compare(Report::instance().context(), mesh, sources, random, (count + 3 - kind) / 4, check, worst, totals);
     }
     catch (const std::exception& e)
     {
       CHECK_DETAIL(!"an exception was thrown", e.what());
     }
   }
-  std::cout << name << ": " << num_faces(mesh) << " faces, " << totals.queries
-            << " points; worst relative difference " << worst.error() << "; " << check.totals.paths
-            << " paths of " << check.totals.points << " points, " << check.totals.unreachable
-            << " unreachable, worst difference of length and distance " << check.totals.worst_length
-            << "; " << totals.other_paths << " of " << totals.vertex_paths
-            << " paths are others without kept windows";
+  std::cout << name << ": " << num_faces(mesh) << " faces, " << totals.queries << " points; worst relative difference "
+            << worst.error() << "; " << check.totals.paths << " paths of " << check.totals.points << " points, "
+            << check.totals.unreachable << " unreachable, worst difference of length and distance " << check.totals.worst_length
+            << "; " << totals.other_paths << " of " << totals.vertex_paths << " paths are others without kept windows";
   if (totals.proved > 0)
-    std::cout << "; Surface_mesh_shortest_path is too long at " << totals.proved
-              << " points, proved by paths";
+    std::cout << "; Surface_mesh_shortest_path is too long at " << totals.proved << " points, proved by paths";
   std::cout << "; Surface_mesh_shortest_path took " << totals.seconds << " s" << std::endl;
 }
 
@@ -214,22 +204,19 @@ GEODESIC_OFFSET_TEST(test_queries_against_shortest_path)
   std::cout.precision(3);
   std::vector<std::string> names(argv + (std::min)(argc, 2), argv + argc);
   const bool all = names.empty();
-  if (all)
-    names = {"elephant.off", "anchor.off", "mask_cone.off", "cow.off", "homer.off", "mesh_with_border.off", "holes.off"};
+  if (all) names = {"elephant.off", "anchor.off", "mask_cone.off", "cow.off", "homer.off", "mesh_with_border.off", "holes.off"};
   if (all && number_of_cases(0, 1) == 1) names.insert(names.end(), {"fandisk.off", "bull.off", "cheese.off"});
   if (all && count > 1000)
-    names.insert(names.end(), {"camel.off", "retinal.off", "dino.off", "femur.off", "rotor.off",
-                               "horizons.off", "three_peaks.off", "lion-head.off", "blade.off"});
+    names.insert(names.end(), {"camel.off", "retinal.off", "dino.off", "femur.off", "rotor.off", "horizons.off",
+                               "three_peaks.off", "lion-head.off", "blade.off"});
   if (all && mesh_kinds().generated)
-    for (const auto& mesh :
-         {std::make_pair("torus", torus(24, 16)), std::make_pair("L", l_shape(120, 6, 3)),
-          std::make_pair("cube", cube_grid(6))})
+    for (const auto& mesh : {std::make_pair("torus", torus(24, 16)), std::make_pair("L", l_shape(120, 6, 3)),
+                             std::make_pair("cube", cube_grid(6))})
       run(mesh.first, Generated_mesh<test::Surface_mesh>(rotated(mesh.second, 7)).mesh, count / 4);
   for (const std::string& name : names)
   {
     test::Surface_mesh mesh;
-    const std::string reason =
-      read_data_mesh(std::filesystem::path(data_directory()) / name, 100000, mesh);
+    const std::string reason = read_data_mesh(std::filesystem::path(data_directory()) / name, 100000, mesh);
     if (reason.empty()) run(name, mesh, count);
     else std::cout << name << ": skipped, " << reason << std::endl;
   }

@@ -271,8 +271,7 @@ void test_nested_roots()
       if (nested) x = x * (signs >> 3 & 1 ? -1 : 1) + (signs >> 4 & 1 ? -1 : 1) * root(5 + s2) * root(2);
       return x;
     };
-    for (bool nested : {false, true})
-      check_equal(root(number(nested) * number(nested)), CGAL::abs(number(nested)), "signs");
+    for (bool nested : {false, true}) check_equal(root(number(nested) * number(nested)), CGAL::abs(number(nested)), "signs");
   }
   // a quotient with a negative denominator whose rational form is too long
   const Number sum = s2 + s3 + s5 + root(7) + root(11);
@@ -472,9 +471,7 @@ void test_root_bounds()
     const auto bits = Radical_bound::bits(*small, 1 << 20);
     CHECK(bits && double(*bits) >= n * std::log2(std::sqrt(2.) + 1) && *bits <= 8 * n);
   }
-  const auto root_of = [](int i) {
-    return Make::square_root(Radical_node::make(Big_rational(100000000000000LL + i)));
-  };
+  const auto root_of = [](int i) { return Make::square_root(Radical_node::make(Big_rational(100000000000000LL + i))); };
   Reference d;
   for (int i : {0, 3, 5, 6}) d = Make::sum(d, root_of(i));
   for (int i : {1, 2, 4, 7}) d = Make::difference(d, root_of(i));
@@ -525,8 +522,7 @@ void test_against_core()
   CHECK(zeros > 500);
   check_equal(Number(CORE::Expr(CORE::BigRat(22, 7))), Number(22) / 7, "a rational of CORE");
   check_equal(Number(CORE::Expr("3.14159265358979323846264338327950288")),
-              (power(10, 35) * 3 + Number(14159265358979323LL) * power(10, 18) + Number(846264338327950288LL)) /
-                power(10, 35),
+              (power(10, 35) * 3 + Number(14159265358979323LL) * power(10, 18) + Number(846264338327950288LL)) / power(10, 35),
               "a long decimal of CORE");
   // a root of a polynomial, which only CORE can represent
   CORE::BigInt coefficients[] = {-2, 0, 0, 1};

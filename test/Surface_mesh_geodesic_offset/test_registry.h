@@ -72,11 +72,11 @@ constexpr int skipped = 77;
 } // namespace test
 
 /// The body of a test, in the namespace of the same name; returns the exit code.
-#define GEODESIC_OFFSET_TEST(name)                                                                 \
-  namespace name {                                                                                 \
-  int test_main(int argc, char* argv[]);                                                           \
-  const ::test::Test_registration registration(#name, &test_main);                                 \
-  }                                                                                                \
+#define GEODESIC_OFFSET_TEST(name)                                                                                             \
+  namespace name {                                                                                                             \
+  int test_main(int argc, char* argv[]);                                                                                       \
+  const ::test::Test_registration registration(#name, &test_main);                                                             \
+  }                                                                                                                            \
   int name::test_main([[maybe_unused]] int argc, [[maybe_unused]] char* argv[])
 
 #endif // GEODESIC_OFFSET_TEST_REGISTRY_H

@@ -25,25 +25,21 @@ GEODESIC_OFFSET_TEST(test_regular_grid)
       Geodesic geodesic(data.mesh);
       geodesic.add_source_point(data.vertices[source]);
       geodesic.build();
-      Report::instance().set_context(std::string(kind.second) + " diagonals, source vertex " +
-                                     std::to_string(source));
+      Report::instance().set_context(std::string(kind.second) + " diagonals, source vertex " + std::to_string(source));
       Worst_error worst(1e-12, 0);
       std::size_t infinite = 0;
-      const double x = static_cast<double>(source % (n + 1)),
-                   y = static_cast<double>(source / (n + 1));
+      const double x = static_cast<double>(source % (n + 1)), y = static_cast<double>(source / (n + 1));
       for (std::size_t i = 0; i < data.vertices.size(); ++i)
       {
-        const double expected =
-          std::hypot(static_cast<double>(i % (n + 1)) - x, static_cast<double>(i / (n + 1)) - y);
+        const double expected = std::hypot(static_cast<double>(i % (n + 1)) - x, static_cast<double>(i / (n + 1)) - y);
         const double actual = geodesic.distance_to_sources(data.vertices[i]);
         infinite += std::isinf(actual) ? 1 : 0;
         CHECK_CLOSE(worst, actual, expected);
       }
       CHECK(infinite == 0);
-      std::cout << Report::instance().context() << ": " << worst.count() << " vertices, "
-                << infinite << " infinite, worst relative error " << worst.error() << ", "
-                << static_cast<double>(geodesic.statistics().windows_propagated) /
-                     static_cast<double>(data.vertices.size())
+      std::cout << Report::instance().context() << ": " << worst.count() << " vertices, " << infinite
+                << " infinite, worst relative error " << worst.error() << ", "
+                << static_cast<double>(geodesic.statistics().windows_propagated) / static_cast<double>(data.vertices.size())
                 << " windows a vertex" << std::endl;
     }
   return Report::instance().finish("test_regular_grid");

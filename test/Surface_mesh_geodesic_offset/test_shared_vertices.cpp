@@ -42,8 +42,7 @@ Mesh two_corners(const std::vector<int>& left_out)
   {
     if (std::find(left_out.begin(), left_out.end(), f) != left_out.end()) continue;
     std::array<Vertex, 3> corners;
-    for (std::size_t k = 0; k < 3; ++k)
-      corners[k] = f >= 4 && faces[f][k] == 0 ? copy : vertices[std::size_t(faces[f][k])];
+    for (std::size_t k = 0; k < 3; ++k) corners[k] = f >= 4 && faces[f][k] == 0 ? copy : vertices[std::size_t(faces[f][k])];
     CHECK(mesh.add_face(corners[0], corners[1], corners[2]) != Mesh::null_face());
   }
   for (const Mesh::Halfedge_index h : mesh.halfedges())
@@ -85,7 +84,8 @@ void run(const std::string& name, const std::vector<int>& left_out)
   // a path through the tip
   std::vector<Point_3> path;
   geodesic.shortest_path_points_to_sources(Vertex(5), std::back_inserter(path));
-  CHECK(path.size() == 3 && path[1] == Point_3(0, 0, 0) && path.front() == Point_3(0, -1, 0) && path.back() == Point_3(1, 0, 0));
+  CHECK(path.size() == 3 && path[1] == Point_3(0, 0, 0) && path.front() == Point_3(0, -1, 0) &&
+        path.back() == Point_3(1, 0, 0));
   // an arc in each face at the tip
   double length = 0;
   for (const Geodesic::Offset_curve& curve : curves)
@@ -129,8 +129,7 @@ void splits()
     {
       std::vector<Geodesic::Offset_curve> curves;
       geodesic.offset_curves(std::vector<double>{0.6, 0.9}, std::back_inserter(curves));
-      CGAL::split_along_offset_curves(split, curves,
-                                      CGAL::parameters::face_band_map(label).edge_is_constrained_map(is_curve));
+      CGAL::split_along_offset_curves(split, curves, CGAL::parameters::face_band_map(label).edge_is_constrained_map(is_curve));
     }
     CHECK(split.number_of_faces() > mesh.number_of_faces() && CGAL::is_triangle_mesh(split));
     CHECK_DETAIL(std::abs(area(split) - area(mesh)) < 1e-12, std::to_string(area(split)));

@@ -27,24 +27,19 @@ void check_signed(double actual, const std::pair<double, int>& expected, Totals&
   if (std::isnan(actual))
   {
     ++totals.caps;
-    CHECK_DETAIL(expected.second == Signed_distance::CAP || expected.second == 0,
-                 values(expected.first, expected.second));
+    CHECK_DETAIL(expected.second == Signed_distance::CAP || expected.second == 0, values(expected.first, expected.second));
     return;
   }
   CHECK_CLOSE(totals.error, std::abs(actual), expected.first);
-  CHECK_DETAIL(expected.second != Signed_distance::CAP || expected.first < 1e-9,
-               values(actual, expected.first));
+  CHECK_DETAIL(expected.second != Signed_distance::CAP || expected.first < 1e-9, values(actual, expected.first));
   if (expected.second == 0) ++totals.undecided;
   else ++totals.signs;
-  if (expected.second == Signed_distance::LEFT)
-    CHECK_DETAIL(actual < 0, values(actual, -expected.first));
-  if (expected.second == Signed_distance::RIGHT)
-    CHECK_DETAIL(actual > 0, values(actual, expected.first));
+  if (expected.second == Signed_distance::LEFT) CHECK_DETAIL(actual < 0, values(actual, -expected.first));
+  if (expected.second == Signed_distance::RIGHT) CHECK_DETAIL(actual > 0, values(actual, expected.first));
 }
 
 // One polyline on a planar mesh: the signed distance, and the side of each piece of some offsets.
-void compare_with_plane(Planar_mesh& plane, const Planar_mesh::Path& path, bool closed,
-                        Totals& totals)
+void compare_with_plane(Planar_mesh& plane, const Planar_mesh::Path& path, bool closed, Totals& totals)
 {
   Geodesic geodesic(plane.data.mesh);
   geodesic.add_source_polyline(path.locations, closed);
@@ -52,8 +47,8 @@ void compare_with_plane(Planar_mesh& plane, const Planar_mesh::Path& path, bool 
   const Signed_distance expected(path.legs, closed);
   const double margin = 1e-9;
   for (auto v : plane.data.vertices)
-    check_signed(geodesic.signed_distance_to_sources(v),
-                 expected(plane.uv(plane.generator.locations().at_vertex(v)), margin), totals);
+    check_signed(geodesic.signed_distance_to_sources(v), expected(plane.uv(plane.generator.locations().at_vertex(v)), margin),
+                 totals);
   for (int i = 0; i < 200; ++i)
   {
     const Face_location l = plane.generator.random_location(0);
@@ -71,20 +66,14 @@ void compare_with_plane(Planar_mesh& plane, const Planar_mesh::Path& path, bool 
         if (piece.length() < 1e-8) continue;
         const auto plane_side = expected(plane.uv(piece.location(0.5)), margin);
         if (plane_side.second != 0)
-          CHECK_DETAIL(int(piece.side()) == plane_side.second, std::to_string(int(piece.side())) +
-                                                                 " is not " +
-                                                                 std::to_string(plane_side.second));
+          CHECK_DETAIL(int(piece.side()) == plane_side.second,
+                       std::to_string(int(piece.side())) + " is not " + std::to_string(plane_side.second));
         const double d = geodesic.signed_distance_to_sources(piece.location(0.5));
         switch (piece.side())
         {
-        case Source_side::LEFT:
-          CHECK_DETAIL(std::abs(d + level) <= 1e-12 * 16, values(d, -level));
-          break;
-        case Source_side::RIGHT:
-          CHECK_DETAIL(std::abs(d - level) <= 1e-12 * 16, values(d, level));
-          break;
-        default:
-          CHECK_DETAIL(std::isnan(d) && !closed, values(d, level));
+        case Source_side::LEFT: CHECK_DETAIL(std::abs(d + level) <= 1e-12 * 16, values(d, -level)); break;
+        case Source_side::RIGHT: CHECK_DETAIL(std::abs(d - level) <= 1e-12 * 16, values(d, level)); break;
+        default: CHECK_DETAIL(std::isnan(d) && !closed, values(d, level));
         }
         ++totals.pieces;
       }
@@ -106,13 +95,12 @@ void random_polylines()
     for (unsigned seed = 1; seed <= 12; ++seed)
       for (const bool closed : {false, true})
       {
-        Report::instance().set_context(std::string(soup.first) + (closed ? ", closed" : ", open") +
-                                       ", seed " + std::to_string(seed));
+        Report::instance().set_context(std::string(soup.first) + (closed ? ", closed" : ", open") + ", seed " +
+                                       std::to_string(seed));
         try
         {
           Planar_mesh plane(soup.second, seed);
-          const auto path =
-            plane.generator.random_path(closed ? 2 + seed % 5 : 1 + seed % 6, closed);
+          const auto path = plane.generator.random_path(closed ? 2 + seed % 5 : 1 + seed % 6, closed);
           compare_with_plane(plane, path, closed, totals);
         }
         catch (const std::exception& e)
@@ -120,9 +108,9 @@ void random_polylines()
           CHECK_DETAIL(!"an exception was thrown", e.what());
         }
       }
-  std::cout << totals.signs << " signs, " << totals.undecided << " on a line between two sides, "
-            << totals.caps << " beyond ends; worst relative error of the distance "
-            << totals.error.error() << "; " << totals.pieces << " pieces" << std::endl;
+  std::cout << totals.signs << " signs, " << totals.undecided << " on a line between two sides, " << totals.caps
+            << " beyond ends; worst relative error of the distance " << totals.error.error() << "; " << totals.pieces
+            << " pieces" << std::endl;
 }
 
 struct Expected_curve
@@ -133,33 +121,24 @@ struct Expected_curve
 };
 
 // Compares with expected curves, in any order; `straight`: all pieces are segments.
-void check_curves(const Planar_mesh& plane, const Geodesic& geodesic, double level,
-                  Offset_side side, Offset_end end, std::vector<Expected_curve> expected,
-                  bool straight)
+void check_curves(const Planar_mesh& plane, const Geodesic& geodesic, double level, Offset_side side, Offset_end end,
+                  std::vector<Expected_curve> expected, bool straight)
 {
   const Offset_curves curves = offsets(geodesic, level, {side, end});
   CHECK_DETAIL(curves.size() == expected.size(), std::to_string(curves.size()) + " curves");
   for (const Offset_curve& curve : curves)
   {
-    const Point_2 s = plane.uv(curve.piece(0).start()),
-                  e = plane.uv(curve.piece(curve.number_of_pieces() - 1).end());
-    const auto found = std::find_if(
-      expected.begin(), expected.end(),
-      [&](const Expected_curve& x)
-      {
-        return curve.is_closed() == x.closed &&
-               std::abs(curve.length() - x.length) <= 1e-11 * x.length &&
-               (x.closed || (distance(s, x.start) <= 1e-11 && distance(e, x.end) <= 1e-11));
-      });
-    CHECK_DETAIL(found != expected.end(), "length " + std::to_string(curve.length()) + " from " +
-                                            std::to_string(s.x()) + ' ' + std::to_string(s.y()) +
-                                            " to " + std::to_string(e.x()) + ' ' +
-                                            std::to_string(e.y()));
+    const Point_2 s = plane.uv(curve.piece(0).start()), e = plane.uv(curve.piece(curve.number_of_pieces() - 1).end());
+    const auto found = std::find_if(expected.begin(), expected.end(), [&](const Expected_curve& x) {
+      return curve.is_closed() == x.closed && std::abs(curve.length() - x.length) <= 1e-11 * x.length &&
+             (x.closed || (distance(s, x.start) <= 1e-11 && distance(e, x.end) <= 1e-11));
+    });
+    CHECK_DETAIL(found != expected.end(),
+                 "length " + std::to_string(curve.length()) + " from " + std::to_string(s.x()) + ' ' + std::to_string(s.y()) +
+                   " to " + std::to_string(e.x()) + ' ' + std::to_string(e.y()));
     if (found != expected.end()) expected.erase(found);
-    for (const Offset_piece& p :
-         curve.pieces()) // only pieces shorter than the shift of levels may be round
-      if (straight && p.length() > 1e-12 * level)
-        CHECK(p.is_segment() && p.angle() == 0 && p.is_nearest_to_segment());
+    for (const Offset_piece& p : curve.pieces()) // only pieces shorter than the shift of levels may be round
+      if (straight && p.length() > 1e-12 * level) CHECK(p.is_segment() && p.angle() == 0 && p.is_nearest_to_segment());
   }
 }
 
@@ -179,10 +158,10 @@ void one_segment(const Planar_mesh& plane, const Point_2& a, const Point_2& b, d
   check_curves(plane, geodesic, level, Offset_side::RIGHT, Offset_end::BUTT, {right}, true);
   check_curves(plane, geodesic, level, Offset_side::BOTH, Offset_end::BUTT, {left, right}, true);
   check_curves(plane, geodesic, level, Offset_side::BOTH, Offset_end::ROUND, {stadium}, false);
-  check_curves(plane, geodesic, level, Offset_side::LEFT, Offset_end::ROUND,
-               {{false, length + 2 * round, b - n, a - n}}, false);
-  check_curves(plane, geodesic, level, Offset_side::RIGHT, Offset_end::ROUND,
-               {{false, length + 2 * round, a + n, b + n}}, false);
+  check_curves(plane, geodesic, level, Offset_side::LEFT, Offset_end::ROUND, {{false, length + 2 * round, b - n, a - n}},
+               false);
+  check_curves(plane, geodesic, level, Offset_side::RIGHT, Offset_end::ROUND, {{false, length + 2 * round, a + n, b + n}},
+               false);
 
   Geodesic back(plane.data.mesh);
   plane.add(back, {b, a});
@@ -210,27 +189,23 @@ void corner(const Planar_mesh& plane, double level)
 
 void ends_of_open_polylines()
 {
-  for (const Diagonals diagonals :
-       {Diagonals::forward, Diagonals::backward, Diagonals::alternating, Diagonals::random})
+  for (const Diagonals diagonals : {Diagonals::forward, Diagonals::backward, Diagonals::alternating, Diagonals::random})
   {
-    const Planar_mesh grid(planar_grid(8, 8, diagonals, 0.5)),
-      fine(planar_grid(16, 16, diagonals, 0.25));
+    const Planar_mesh grid(planar_grid(8, 8, diagonals, 0.5)), fine(planar_grid(16, 16, diagonals, 0.25));
     for (const Planar_mesh* plane : {&grid, &fine})
       for (double level : {0.01, 0.25, 0.3, 0.5, 0.9})
       {
         one_segment(*plane, Point_2(1, 2), Point_2(3, 2),
-                    level); // along edges, from vertex to vertex
-        one_segment(*plane, Point_2(1.25, 2), Point_2(2.75, 2), level); // between vertices
-        one_segment(*plane, Point_2(1, 1), Point_2(3, 3), level); // along diagonals, or across them
+                    level);                                               // along edges, from vertex to vertex
+        one_segment(*plane, Point_2(1.25, 2), Point_2(2.75, 2), level);   // between vertices
+        one_segment(*plane, Point_2(1, 1), Point_2(3, 3), level);         // along diagonals, or across them
         one_segment(*plane, Point_2(1.1, 1.7), Point_2(2.9, 2.4), level); // anywhere
         if (level < 0.8) corner(*plane, level);
       }
   }
-  const Planar_mesh rectangle(random_rectangle(4, 4, 150, 5, 3)),
-    turned(rotated(random_rectangle(4, 4, 150, 5, 3), 4));
+  const Planar_mesh rectangle(random_rectangle(4, 4, 150, 5, 3)), turned(rotated(random_rectangle(4, 4, 150, 5, 3), 4));
   for (const Planar_mesh* plane : {&rectangle, &turned})
-    for (double level : {0.01, 0.4, 0.9})
-      one_segment(*plane, Point_2(1.1, 1.7), Point_2(2.9, 2.4), level);
+    for (double level : {0.01, 0.4, 0.9}) one_segment(*plane, Point_2(1.1, 1.7), Point_2(2.9, 2.4), level);
 }
 
 // Sources without sides, unreachable points, and points on the polyline.
@@ -238,15 +213,13 @@ void no_side()
 {
   Report::instance().set_context("no side");
   const Planar_mesh plane(planar_grid(4, 4, Diagonals::alternating));
-  Generated_mesh<test::Surface_mesh> two(
-    []
-    {
-      Soup soup = planar_grid(2, 2), other = planar_grid(2, 2);
-      const std::size_t n = soup.points.size();
-      for (const Point_3& p : other.points) soup.points.push_back(p + Vector_3(9, 0, 0));
-      for (const auto& t : other.triangles) soup.add_triangle({{t[0] + n, t[1] + n, t[2] + n}});
-      return soup;
-    }());
+  Generated_mesh<test::Surface_mesh> two([] {
+    Soup soup = planar_grid(2, 2), other = planar_grid(2, 2);
+    const std::size_t n = soup.points.size();
+    for (const Point_3& p : other.points) soup.points.push_back(p + Vector_3(9, 0, 0));
+    for (const auto& t : other.triangles) soup.add_triangle({{t[0] + n, t[1] + n, t[2] + n}});
+    return soup;
+  }());
   const auto vertex = [&](std::size_t i, std::size_t j) { return plane.data.vertices[5 * j + i]; };
 
   Geodesic geodesic(plane.data.mesh);
@@ -255,8 +228,7 @@ void no_side()
   geodesic.build();
   CHECK(std::isnan(geodesic.signed_distance_to_sources(vertex(0, 2))));
   CHECK(geodesic.signed_distance_to_sources(vertex(2, 2)) == 0);
-  CHECK_THROWS(geodesic.signed_distance_to_sources(plane.location(Point_2(0.3, 0.4))),
-               std::logic_error);
+  CHECK_THROWS(geodesic.signed_distance_to_sources(plane.location(Point_2(0.3, 0.4))), std::logic_error);
 
   geodesic.clear_sources();
   geodesic.add_source_edges(std::vector<test::Surface_mesh::Edge_index>{
@@ -274,18 +246,15 @@ void no_side()
 
   Geodesic apart(two.mesh);
   const Locations<test::Surface_mesh> on_two(two.mesh);
-  apart.add_source_polyline(std::vector<Face_location>{on_two.at_vertex(two.vertices[0]),
-                                                       on_two.at_vertex(two.vertices[1])});
+  apart.add_source_polyline(std::vector<Face_location>{on_two.at_vertex(two.vertices[0]), on_two.at_vertex(two.vertices[1])});
   apart.build(CGAL::parameters::distance_limit(1.5).keep_windows(true));
   CHECK(apart.signed_distance_to_sources(two.vertices[9]) == infinity); // another part
-  CHECK(apart.signed_distance_to_sources(two.vertices[7]) ==
-        infinity); // (1, 2) is beyond the maximum distance
+  CHECK(apart.signed_distance_to_sources(two.vertices[7]) == infinity); // (1, 2) is beyond the maximum distance
   CHECK(apart.signed_distance_to_sources(on_two.at_vertex(two.vertices[12], 1)) == infinity);
   CHECK(std::isnan(apart.signed_distance_to_sources(two.vertices[5]))); // (2, 1), beyond the end
   Face_location inside(two.faces[0], {{0.125, 0.125, 0.125}});          // (0.25, 0.125)
   const auto corners = on_two.corners(two.faces[0]);
-  inside.second[static_cast<std::size_t>(
-    std::find(corners.begin(), corners.end(), two.vertices[0]) - corners.begin())] = 0.75;
+  inside.second[static_cast<std::size_t>(std::find(corners.begin(), corners.end(), two.vertices[0]) - corners.begin())] = 0.75;
   CHECK(apart.signed_distance_to_sources(inside) == -0.125);
 }
 
@@ -303,8 +272,7 @@ void along_edges_of_grids()
     const Locations<test::Surface_mesh> locations(data.mesh);
     std::vector<Face_location> polyline;
     std::vector<Leg> legs;
-    const auto add = [&](std::size_t i, std::size_t j)
-    {
+    const auto add = [&](std::size_t i, std::size_t j) {
       const Point_2 p(static_cast<double>(i), static_cast<double>(j));
       if (!legs.empty()) legs.back().b = p;
       legs.push_back({0, p, p});
@@ -332,11 +300,10 @@ void along_edges_of_grids()
     Offset_curves inside;
     geodesic.offset_curves(level, std::back_inserter(inside), CGAL::parameters::offset_side(Offset_side::INSIDE));
     CHECK(inside.size() == 1);
-    for (const Offset_curve& curve : inside)
-      CHECK_CLOSE(totals.error, curve.length(), 4 * (width - 2 * level));
+    for (const Offset_curve& curve : inside) CHECK_CLOSE(totals.error, curve.length(), 4 * (width - 2 * level));
   }
-  std::cout << "along edges of grids: " << totals.signs << " signs, " << totals.undecided
-            << " undecided, " << totals.caps << " beyond ends" << std::endl;
+  std::cout << "along edges of grids: " << totals.signs << " signs, " << totals.undecided << " undecided, " << totals.caps
+            << " beyond ends" << std::endl;
 }
 
 } // namespace test_signed_distance

@@ -36,7 +36,7 @@ struct Peak
   Soup soup;
   int source;                    // a vertex; -1: the border
   double numerator, denominator; // of the largest distance
-  double length_per_rise; // length of the curve around the largest distance, per rise inside
+  double length_per_rise;        // length of the curve around the largest distance, per rise inside
   bool is_closed;
 
   double largest() const { return numerator / denominator; }
@@ -58,27 +58,44 @@ std::vector<Peak> peaks()
     return Peak{"rhombus of 1 : " + std::to_string(int(n / 2)),
                 soup_of({Point_3(0, 0, 0), Point_3(a, 0, 0), Point_3(0, b, 0), Point_3(-a, 0, 0), Point_3(0, -b, 0)},
                         {{{0, 1, 2}}, {{0, 2, 3}}, {{0, 3, 4}}, {{0, 4, 1}}}),
-                -1, a * b, side, 4 * side / (a * b / side), true};
+                -1,
+                a * b,
+                side,
+                4 * side / (a * b / side),
+                true};
   };
   const Soup square = soup_of({Point_3(0, 0, 0), Point_3(2, 0, 0), Point_3(2, 2, 0), Point_3(0, 2, 0), Point_3(1, 1, 0)},
                               {{{0, 1, 4}}, {{1, 2, 4}}, {{2, 3, 4}}, {{3, 0, 4}}});
-  const Soup halves = soup_of({Point_3(0, 0, 0), Point_3(2, 0, 0), Point_3(2, 2, 0), Point_3(0, 2, 0)},
-                              {{{0, 1, 2}}, {{0, 2, 3}}});
+  const Soup halves =
+    soup_of({Point_3(0, 0, 0), Point_3(2, 0, 0), Point_3(2, 2, 0), Point_3(0, 2, 0)}, {{{0, 1, 2}}, {{0, 2, 3}}});
   const Soup triangle = soup_of({Point_3(0, 0, 0), Point_3(4, 0, 0), Point_3(0, 3, 0)}, {{{0, 1, 2}}});
-  const Soup rectangle = soup_of({Point_3(0, 0, 0), Point_3(4, 0, 0), Point_3(4, 3, 0), Point_3(0, 3, 0)},
-                                 {{{0, 1, 3}}, {{1, 2, 3}}});
+  const Soup rectangle =
+    soup_of({Point_3(0, 0, 0), Point_3(4, 0, 0), Point_3(4, 3, 0), Point_3(0, 3, 0)}, {{{0, 1, 3}}, {{1, 2, 3}}});
   // a cube with the center of its top as source: the largest distance is that of the center of the bottom
-  const Soup cube = soup_of({Point_3(-1, -1, 0), Point_3(1, -1, 0), Point_3(1, 1, 0), Point_3(-1, 1, 0), Point_3(-1, -1, 2),
-                             Point_3(1, -1, 2), Point_3(1, 1, 2), Point_3(-1, 1, 2), Point_3(0, 0, 2)},
-                            {{{0, 2, 1}}, {{0, 3, 2}}, {{0, 1, 5}}, {{0, 5, 4}}, {{1, 2, 6}}, {{1, 6, 5}}, {{2, 3, 7}},
-                             {{2, 7, 6}}, {{3, 0, 4}}, {{3, 4, 7}}, {{4, 5, 8}}, {{5, 6, 8}}, {{6, 7, 8}}, {{7, 4, 8}}});
+  const Soup cube = soup_of(
+    {Point_3(-1, -1, 0), Point_3(1, -1, 0), Point_3(1, 1, 0), Point_3(-1, 1, 0), Point_3(-1, -1, 2), Point_3(1, -1, 2),
+     Point_3(1, 1, 2), Point_3(-1, 1, 2), Point_3(0, 0, 2)},
+    {{{0, 2, 1}},
+     {{0, 3, 2}},
+     {{0, 1, 5}},
+     {{0, 5, 4}},
+     {{1, 2, 6}},
+     {{1, 6, 5}},
+     {{2, 3, 7}},
+     {{2, 7, 6}},
+     {{3, 0, 4}},
+     {{3, 4, 7}},
+     {{4, 5, 8}},
+     {{5, 6, 8}},
+     {{6, 7, 8}},
+     {{7, 4, 8}}});
   return {{"triangle, in a face", triangle, -1, 1, 1, 12, true},
           {"square, at a vertex", square, -1, 1, 1, 8, true},
           {"square, on an edge", halves, -1, 1, 1, 8, true},
           {"rectangle, at a border vertex", rectangle, 0, 5, 1, 25. / 12, false},
           // the triangle (0, 0) (4, 0) (4, 3) on both sides
-          {"two faces, at their vertex", soup_of({Point_3(0, 0, 0), Point_3(4, 0, 0), Point_3(4, 3, 0)}, {{{0, 1, 2}}, {{1, 0, 2}}}), 0, 5,
-           1, 8. / 3, true},
+          {"two faces, at their vertex",
+           soup_of({Point_3(0, 0, 0), Point_3(4, 0, 0), Point_3(4, 3, 0)}, {{{0, 1, 2}}, {{1, 0, 2}}}), 0, 5, 1, 8. / 3, true},
           {"cube, on an edge", cube, 8, 4, 1, 8, true},
           rhombus(16),
           rhombus(0x1p17)};
@@ -127,8 +144,7 @@ public:
     double sum = 0;
     for (const auto f : mesh_.faces())
       for (const auto h : CGAL::halfedges_around_face(mesh_.halfedge(f), mesh_))
-        sum += std::sqrt(CGAL::to_double(
-          CGAL::squared_distance(mesh_.point(mesh_.source(h)), mesh_.point(mesh_.target(h)))));
+        sum += std::sqrt(CGAL::to_double(CGAL::squared_distance(mesh_.point(mesh_.source(h)), mesh_.point(mesh_.target(h)))));
     return sum / (3. * double(mesh_.number_of_faces()));
   }
 
@@ -169,9 +185,9 @@ void near_peak(const std::string& name, const Peak& peak, const Soup& soup, Smal
     for (const bool is_one_pass : {false, true})
     {
       const auto curves = is_one_pass ? field.in_one_pass(level) : field.kept(level);
-      const std::string where = "rise " + std::to_string(std::log2(rise / m)) + ", length " +
-                                std::to_string(std::log2(expected / m)) + " (powers of 2), " +
-                                std::to_string(curves.size()) + " curves";
+      const std::string where =
+        "rise " + std::to_string(std::log2(rise / m)) + ", length " + std::to_string(std::log2(expected / m)) +
+        " (powers of 2), " + std::to_string(curves.size()) + " curves";
       CHECK_DETAIL(curves.size() <= 1 && (curves.size() == 1 || !must_exist), where);
       if (curves.empty()) smallest.left_out = (std::max)(smallest.left_out, rise / m);
       if (curves.size() != 1) continue;
@@ -197,8 +213,8 @@ void doubles()
       near_peak(peak.name + ", turned by seed " + std::to_string(seed), peak, rotated(peak.soup, seed), smallest);
   }
   std::cout << "with doubles, the smallest curve has the length " << smallest.length << " and a rise of " << smallest.rise
-            << " inside; the largest rise without a curve is " << smallest.left_out
-            << ", all per level plus mean edge" << std::endl;
+            << " inside; the largest rise without a curve is " << smallest.left_out << ", all per level plus mean edge"
+            << std::endl;
 }
 
 void exact_numbers()
@@ -260,8 +276,7 @@ void around_sources()
 
 GEODESIC_OFFSET_TEST(test_smallest_loops)
 {
-  const std::pair<const char*, void (*)()> tests[] = {{"doubles", doubles},
-                                                      {"exact numbers", exact_numbers},
-                                                      {"around sources", around_sources}};
+  const std::pair<const char*, void (*)()> tests[] = {
+    {"doubles", doubles}, {"exact numbers", exact_numbers}, {"around sources", around_sources}};
   return run_tests("test_smallest_loops", tests);
 }

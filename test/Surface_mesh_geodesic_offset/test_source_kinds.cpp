@@ -42,8 +42,8 @@ std::vector<double> distances(const test::Surface_mesh& mesh, const AddSources& 
   return result;
 }
 
-void check_same(const std::string& what, const test::Surface_mesh& mesh,
-                const std::vector<double>& a, const std::vector<double>& b)
+void check_same(const std::string& what, const test::Surface_mesh& mesh, const std::vector<double>& a,
+                const std::vector<double>& b)
 {
   Report::instance().set_context(what);
   Worst_error worst(1e-12, bounding_box_diagonal(mesh));
@@ -76,8 +76,7 @@ std::vector<Halfedge_index> some_halfedges(const test::Surface_mesh& mesh, Rando
   std::vector<Halfedge_index> result;
   while (result.size() < 6)
   {
-    const Halfedge_index h(
-      static_cast<Halfedge_index::size_type>(uniform_index(random, num_halfedges(mesh))));
+    const Halfedge_index h(static_cast<Halfedge_index::size_type>(uniform_index(random, num_halfedges(mesh))));
     if (!is_border(h, mesh)) result.push_back(h);
   }
   for (Halfedge_index h : halfedges(mesh))
@@ -95,68 +94,62 @@ void points(const std::string& name, const test::Surface_mesh& mesh, unsigned se
     const std::vector<double> from_v = distances(mesh, [&](Geodesic& g) { g.add_source_point(v); });
     const std::vector<double> from_u = distances(mesh, [&](Geodesic& g) { g.add_source_point(u); });
     for (std::size_t turn = 0; turn < 3; ++turn)
-      check_same(
-        name + ": a vertex as a face location", mesh,
-        distances(mesh, [&](Geodesic& g) { g.add_source_point(locations.at_vertex(v, turn)); }),
-        from_v);
+      check_same(name + ": a vertex as a face location", mesh,
+                 distances(mesh, [&](Geodesic& g) { g.add_source_point(locations.at_vertex(v, turn)); }), from_v);
     check_same(name + ": duplicate vertices", mesh,
-               distances(mesh,
-                         [&](Geodesic& g)
-                         {
-                           g.add_source_point(v);
-                           g.add_source_point(v);
-                           g.add_source_point(locations.at_vertex(v, 1));
-                         }),
+               distances(
+                 mesh,
+                 [&](Geodesic& g) {
+      g.add_source_point(v);
+      g.add_source_point(v);
+      g.add_source_point(locations.at_vertex(v, 1));
+                 }),
                from_v);
     check_same(name + ": adjacent vertices", mesh,
-               distances(mesh,
-                         [&](Geodesic& g)
-                         {
-                           g.add_source_point(u);
-                           g.add_source_point(v);
-                         }),
+               distances(
+                 mesh,
+                 [&](Geodesic& g) {
+      g.add_source_point(u);
+      g.add_source_point(v);
+                 }),
                minimum(from_u, from_v));
-    check_same(
-      name + ": a polyline of one vertex", mesh,
-      distances(mesh, [&](Geodesic& g)
-                { g.add_source_polyline(std::vector<Face_location>{locations.at_vertex(v)}); }),
-      from_v);
+    check_same(name + ": a polyline of one vertex", mesh,
+               distances(mesh, [&](Geodesic& g) { g.add_source_polyline(std::vector<Face_location>{locations.at_vertex(v)}); }),
+               from_v);
 
     for (double t : {0.3, 0.5, 1e-9})
     {
       const Face_location on_edge = locations.on_edge(h, t);
-      const std::vector<double> expected =
-        distances(mesh, [&](Geodesic& g) { g.add_source_point(on_edge); });
+      const std::vector<double> expected = distances(mesh, [&](Geodesic& g) { g.add_source_point(on_edge); });
       const Face_location other = opposite_description(locations, on_edge);
       check_same(name + ": a point on an edge, from both faces", mesh,
                  distances(mesh, [&](Geodesic& g) { g.add_source_point(other); }), expected);
       check_same(name + ": a point on an edge, twice", mesh,
-                 distances(mesh,
-                           [&](Geodesic& g)
-                           {
-                             g.add_source_point(on_edge);
-                             g.add_source_point(other);
-                           }),
+                 distances(
+                   mesh,
+                   [&](Geodesic& g) {
+        g.add_source_point(on_edge);
+        g.add_source_point(other);
+                   }),
                  expected);
     }
     const Face_location inside(face(h, mesh), random_barycentric(random));
-    const std::vector<double> from_inside =
-      distances(mesh, [&](Geodesic& g) { g.add_source_point(inside); });
+    const std::vector<double> from_inside = distances(mesh, [&](Geodesic& g) { g.add_source_point(inside); });
     check_same(name + ": duplicate points in a face", mesh,
-               distances(mesh,
-                         [&](Geodesic& g)
-                         {
-                           g.add_source_point(inside);
-                           g.add_source_point(inside);
-                         }),
+               distances(
+                 mesh,
+                 [&](Geodesic& g) {
+      g.add_source_point(inside);
+      g.add_source_point(inside);
+                 }),
                from_inside);
     check_same(name + ": a point in a face and a vertex of the face", mesh,
-               distances(mesh,
-                         [&](Geodesic& g)
-                         {
-                           g.add_source_point(inside);
-                           g.add_source_point(v);
-                         }),
+               distances(
+                 mesh,
+                 [&](Geodesic& g) {
+      g.add_source_point(inside);
+      g.add_source_point(v);
+                 }),
                minimum(from_inside, from_v));
   }
 }
@@ -168,17 +161,15 @@ void polylines(const std::string& name, const test::Surface_mesh& mesh, unsigned
   for (Halfedge_index h : some_halfedges(mesh, random))
   {
     // A path through the face of h with all kinds of places, from a vertex to an edge.
-    const std::vector<Face_location> way = {
-      locations.at_vertex(source(h, mesh), 2),
-      Face_location(face(h, mesh), random_barycentric(random)), locations.on_edge(h, 0.4),
-      locations.on_edge(next(h, mesh), 0.7)};
-    const std::vector<double> expected =
-      distances(mesh, [&](Geodesic& g) { g.add_source_polyline(way); });
+    const std::vector<Face_location> way = {locations.at_vertex(source(h, mesh), 2),
+                                            Face_location(face(h, mesh), random_barycentric(random)), locations.on_edge(h, 0.4),
+                                            locations.on_edge(next(h, mesh), 0.7)};
+    const std::vector<double> expected = distances(mesh, [&](Geodesic& g) { g.add_source_polyline(way); });
 
     std::vector<Face_location> repeated;
     for (const Face_location& l : way) repeated.insert(repeated.end(), 3, l);
-    check_same(name + ": repeated points", mesh,
-               distances(mesh, [&](Geodesic& g) { g.add_source_polyline(repeated); }), expected);
+    check_same(name + ": repeated points", mesh, distances(mesh, [&](Geodesic& g) { g.add_source_polyline(repeated); }),
+               expected);
 
     std::vector<Face_location> described;
     for (const Face_location& l : way) described.push_back(opposite_description(locations, l));
@@ -186,32 +177,29 @@ void polylines(const std::string& name, const test::Surface_mesh& mesh, unsigned
                distances(mesh, [&](Geodesic& g) { g.add_source_polyline(described); }), expected);
 
     const std::vector<Face_location> reversed(way.rbegin(), way.rend());
-    check_same(name + ": reversed", mesh,
-               distances(mesh, [&](Geodesic& g) { g.add_source_polyline(reversed); }), expected);
+    check_same(name + ": reversed", mesh, distances(mesh, [&](Geodesic& g) { g.add_source_polyline(reversed); }), expected);
 
     check_same(name + ": segment by segment", mesh,
-               distances(mesh,
-                         [&](Geodesic& g)
-                         {
-                           for (std::size_t i = 0; i + 1 < way.size(); ++i)
-                             g.add_source_polyline(std::vector<Face_location>{way[i], way[i + 1]});
-                         }),
+               distances(
+                 mesh,
+                 [&](Geodesic& g) {
+      for (std::size_t i = 0; i + 1 < way.size(); ++i) g.add_source_polyline(std::vector<Face_location>{way[i], way[i + 1]});
+                 }),
                expected);
 
     check_same(name + ": there and back, with its points added", mesh,
-               distances(mesh,
-                         [&](Geodesic& g)
-                         {
-                           std::vector<Face_location> there_and_back = way;
-                           there_and_back.insert(there_and_back.end(), way.rbegin(), way.rend());
-                           g.add_source_polyline(there_and_back);
-                           for (const Face_location& l : way) g.add_source_point(l);
-                         }),
+               distances(
+                 mesh,
+                 [&](Geodesic& g) {
+      std::vector<Face_location> there_and_back = way;
+      there_and_back.insert(there_and_back.end(), way.rbegin(), way.rend());
+      g.add_source_polyline(there_and_back);
+      for (const Face_location& l : way) g.add_source_point(l);
+                 }),
                expected);
 
     std::vector<Face_location> loop = {way[1], way[2], way[3]};
-    const std::vector<double> closed =
-      distances(mesh, [&](Geodesic& g) { g.add_source_polyline(loop, true); });
+    const std::vector<double> closed = distances(mesh, [&](Geodesic& g) { g.add_source_polyline(loop, true); });
     loop.push_back(loop.front());
     check_same(name + ": closed, or with the first point repeated", mesh,
                distances(mesh, [&](Geodesic& g) { g.add_source_polyline(loop); }), closed);
@@ -235,25 +223,22 @@ void edge_sets(const std::string& name, const test::Surface_mesh& mesh, unsigned
       edges.push_back(edge(h, mesh));
       along.push_back(locations.at_vertex(target(h, mesh), 3));
       h = (i % 2 == 0 || is_border(opposite(next(h, mesh), mesh), mesh))
-            ? next(h, mesh)
-            : next(opposite(next(h, mesh), mesh), mesh);
+          ? next(h, mesh)
+          : next(opposite(next(h, mesh), mesh), mesh);
     }
-    const std::vector<double> expected =
-      distances(mesh, [&](Geodesic& g) { g.add_source_edges(edges); });
+    const std::vector<double> expected = distances(mesh, [&](Geodesic& g) { g.add_source_edges(edges); });
     check_same(name + ": edges and the polyline along them", mesh,
                distances(mesh, [&](Geodesic& g) { g.add_source_polyline(along); }), expected);
     check_same(name + ": edges twice, one source each", mesh,
-               distances(mesh,
-                         [&](Geodesic& g)
-                         {
-                           for (Edge_index e : edges)
-                             g.add_source_edges(std::vector<Edge_index>{e, e});
-                         }),
+               distances(
+                 mesh,
+                 [&](Geodesic& g) {
+      for (Edge_index e : edges) g.add_source_edges(std::vector<Edge_index>{e, e});
+                 }),
                expected);
     Report::instance().set_context(name + ": vertices of source edges");
     for (Edge_index e : edges)
-      CHECK(expected[source(halfedge(e, mesh), mesh)] == 0 &&
-            expected[target(halfedge(e, mesh), mesh)] == 0);
+      CHECK(expected[source(halfedge(e, mesh), mesh)] == 0 && expected[target(halfedge(e, mesh), mesh)] == 0);
   }
 }
 
@@ -267,15 +252,13 @@ void boundary_sources()
     std::vector<Edge_index> border;
     for (Edge_index e : edges(data.mesh))
       if (is_border(e, data.mesh)) border.push_back(e);
-    const std::vector<double> actual =
-      distances(data.mesh, [&](Geodesic& g) { g.add_source_edges(border); });
+    const std::vector<double> actual = distances(data.mesh, [&](Geodesic& g) { g.add_source_edges(border); });
     Report::instance().set_context("all boundary edges, seed " + std::to_string(seed));
     Worst_error worst(1e-12, 2);
     for (std::size_t i = 0; i < actual.size(); ++i)
     {
       const double x = soup.points[i].x(), y = soup.points[i].y();
-      CHECK_CLOSE(worst, actual[i],
-                  (std::max)(0., (std::min)((std::min)(x, 2 - x), (std::min)(y, 1 - y))));
+      CHECK_CLOSE(worst, actual[i], (std::max)(0., (std::min)((std::min)(x, 2 - x), (std::min)(y, 1 - y))));
     }
   }
 }
@@ -284,18 +267,15 @@ void removal()
 {
   const Data data(rotated(random_rectangle(2, 1, 150, 8, 5), 5));
   const Vertex_index u = data.vertices[10], v = data.vertices[100];
-  const std::vector<double> from_u =
-    distances(data.mesh, [&](Geodesic& g) { g.add_source_point(u); });
-  const std::vector<double> from_v =
-    distances(data.mesh, [&](Geodesic& g) { g.add_source_point(v); });
+  const std::vector<double> from_u = distances(data.mesh, [&](Geodesic& g) { g.add_source_point(u); });
+  const std::vector<double> from_v = distances(data.mesh, [&](Geodesic& g) { g.add_source_point(v); });
 
   Geodesic geodesic(data.mesh);
   CHECK(geodesic.number_of_sources() == 0 && !geodesic.is_built());
   const std::size_t first = geodesic.add_source_point(u);
   const std::size_t second = geodesic.add_source_point(v);
   CHECK(first != second && geodesic.number_of_sources() == 2);
-  const auto all = [&]()
-  {
+  const auto all = [&]() {
     geodesic.build();
     std::vector<double> result;
     for (Vertex_index w : vertices(data.mesh)) result.push_back(geodesic.distance_to_sources(w));
@@ -364,8 +344,7 @@ void distance_limit()
     const Face_location l(f, random_barycentric(random));
     const double exact = std::sqrt(CGAL::squared_distance(locations.point(l), Point_3(0, 0, 0)));
     const double actual = geodesic.distance_to_sources(l);
-    CHECK_DETAIL(exact <= 5 ? std::abs(actual - exact) < 1e-12 * exact : std::isinf(actual),
-                 values(actual, exact));
+    CHECK_DETAIL(exact <= 5 ? std::abs(actual - exact) < 1e-12 * exact : std::isinf(actual), values(actual, exact));
   }
 }
 
@@ -375,8 +354,7 @@ void unreachable()
   Soup soup = icosphere(1);
   const std::size_t sphere = soup.points.size();
   const Soup torus = test::torus(12, 8, 5, 1);
-  for (const auto& t : torus.triangles)
-    soup.add_triangle({{t[0] + sphere, t[1] + sphere, t[2] + sphere}});
+  for (const auto& t : torus.triangles) soup.add_triangle({{t[0] + sphere, t[1] + sphere, t[2] + sphere}});
   soup.points.insert(soup.points.end(), torus.points.begin(), torus.points.end());
   const std::size_t both = soup.points.size();
   soup.points.push_back(Point_3(0, 0, 0));
@@ -391,8 +369,7 @@ void unreachable()
   for (std::size_t i = 0; i < data.faces.size(); i += 7)
   {
     const bool on_sphere = soup.triangles[i][0] < sphere;
-    CHECK(std::isfinite(geodesic.distance_to_sources(
-            Face_location(data.faces[i], {{0.25, 0.5, 0.25}}))) == on_sphere);
+    CHECK(std::isfinite(geodesic.distance_to_sources(Face_location(data.faces[i], {{0.25, 0.5, 0.25}}))) == on_sphere);
   }
   geodesic.add_source_point(data.vertices[both - 1]);
   geodesic.build();
@@ -459,8 +436,11 @@ void points_with_two_names()
   // (0.5, 0), (1, 0), (0.5, -0.5)
   const Face_location first = at(lower, {{0.75, 0.25, 0, 0}}), middle = at(lower, {{0.5, 0.5, 0, 0}}),
                       same = at(upper, {{0.5, 0.5, 0, 0}}), last = at(lower, {{0.5, 0, 0, 0.5}});
-  for (std::vector<Face_location> line : {std::vector<Face_location>{first, middle, last}, {first, middle, middle, last},
-                                          {first, middle, same, last}, {first, same, middle, same, last}})
+  for (std::vector<Face_location> line :
+       {std::vector<Face_location>{first, middle, last},
+        {first, middle, middle, last},
+        {first, middle, same, last},
+        {first, same, middle, same, last}})
     for (const bool reversed : {false, true})
     {
       if (reversed) std::reverse(line.begin(), line.end());
@@ -487,8 +467,7 @@ void scales()
   {
     test::Surface_mesh scaled = data.mesh;
     const double scale = std::ldexp(1., exponent);
-    for (const auto v : scaled.vertices())
-      scaled.point(v) = CGAL::ORIGIN + scale * (scaled.point(v) - CGAL::ORIGIN);
+    for (const auto v : scaled.vertices()) scaled.point(v) = CGAL::ORIGIN + scale * (scaled.point(v) - CGAL::ORIGIN);
     Geodesic geodesic(scaled);
     geodesic.add_source_edges(edges);
     geodesic.build();
@@ -552,8 +531,7 @@ void boundaries()
 {
   Report::instance().set_context("boundaries");
   test::Surface_mesh mesh;
-  const auto square = [&mesh](double x, double low, double high)
-  {
+  const auto square = [&mesh](double x, double low, double high) {
     std::vector<Vertex_index> v;
     for (const auto& p : {Point_2(low, low), Point_2(high, low), Point_2(high, high), Point_2(low, high)})
       v.push_back(mesh.add_vertex(Point_3(x + p.x(), p.y(), 0)));
@@ -569,21 +547,18 @@ void boundaries()
   mesh.add_face(apart[0], apart[1], apart[2]);
   mesh.add_face(apart[0], apart[2], apart[3]);
   CGAL::make_tetrahedron(Point_3(40, 0, 0), Point_3(41, 0, 0), Point_3(40, 1, 0), Point_3(40, 0, 1), mesh);
-  const auto border_at = [&](Vertex_index v)
-  {
+  const auto border_at = [&](Vertex_index v) {
     for (Halfedge_index h : CGAL::halfedges_around_target(v, mesh))
       if (is_border(h, mesh)) return h;
     return Halfedge_index();
   };
-  const auto zeros = [&](const Geodesic& g)
-  {
+  const auto zeros = [&](const Geodesic& g) {
     std::vector<Vertex_index> result;
     for (Vertex_index v : mesh.vertices())
       if (g.distance_to_sources(v) == 0) result.push_back(v);
     return result;
   };
-  const auto check = [&]
-  {
+  const auto check = [&] {
     Geodesic geodesic(mesh);
     const std::vector<std::size_t> ids = geodesic.add_source_boundary();
     CHECK((ids == std::vector<std::size_t>{0, 1, 2}) && geodesic.number_of_sources() == 3);
@@ -611,8 +586,7 @@ void boundaries()
   check();
 
   // an edge attached to the ring, and an isolated one
-  const auto add_edge = [&mesh](Vertex_index a, Vertex_index b)
-  {
+  const auto add_edge = [&mesh](Vertex_index a, Vertex_index b) {
     const Halfedge_index h = mesh.add_edge(a, b), g = mesh.opposite(h);
     mesh.set_next(h, g);
     mesh.set_next(g, h);
@@ -639,8 +613,7 @@ void boundaries()
 void sharp_edges()
 {
   Report::instance().set_context("sharp edges");
-  const auto edges_of = [](const test::Surface_mesh& mesh, double angle)
-  {
+  const auto edges_of = [](const test::Surface_mesh& mesh, double angle) {
     std::vector<Edge_index> edges;
     Geodesic(mesh).sharp_edges(angle, std::back_inserter(edges));
     return edges;
@@ -721,9 +694,7 @@ GEODESIC_OFFSET_TEST(test_source_kinds)
   for (const auto& mesh : meshes)
   {
     const Data data(mesh.second);
-    for (void (*body)(const std::string&, const test::Surface_mesh&, unsigned) :
-         {&points, &polylines, &edge_sets})
-      try
+    for (void (*body)(const std::string&, const test::Surface_mesh&, unsigned) : {&points, &polylines, &edge_sets}) try
       {
         body(mesh.first, data.mesh, 17);
       }
@@ -732,9 +703,8 @@ GEODESIC_OFFSET_TEST(test_source_kinds)
         CHECK_DETAIL(!"an exception was thrown", e.what());
       }
   }
-  for (void (*body)() :
-       {&boundary_sources, &removal, &distance_limit, &unreachable, &bad_arguments, &points_with_two_names, &scales,
-        &sets_of_points, &boundaries, &sharp_edges})
+  for (void (*body)() : {&boundary_sources, &removal, &distance_limit, &unreachable, &bad_arguments, &points_with_two_names,
+                         &scales, &sets_of_points, &boundaries, &sharp_edges})
     run_guarded(body);
   return Report::instance().finish("test_source_kinds");
 }

@@ -93,8 +93,8 @@ std::vector<double> levels_of(const Geodesic& geodesic, const Surface_mesh& mesh
 bool locates_itself(const Geodesic& geodesic, const Surface_mesh& mesh, double tolerance)
 {
   for (const Vertex_index v : mesh.vertices())
-    if (!mesh.is_isolated(v) &&
-        !(std::abs(geodesic.distance_to_sources(geodesic.locate(mesh.point(v))) - geodesic.distance_to_sources(v)) <= tolerance))
+    if (!mesh.is_isolated(v) && !(std::abs(geodesic.distance_to_sources(geodesic.locate(mesh.point(v))) -
+                                           geodesic.distance_to_sources(v)) <= tolerance))
       return false;
   return true;
 }
@@ -181,7 +181,8 @@ void split(const std::string& name, const Surface_mesh& original, const Add_sour
   }
   for (const Offset_curve& c : curves) exact_length += c.length();
   // two curves may share edges on a ridge
-  CHECK_DETAIL(length <= exact_length * (1 + 1e-9) + 1e-8 * diagonal && length >= 0.49 * exact_length, values(length, exact_length));
+  CHECK_DETAIL(length <= exact_length * (1 + 1e-9) + 1e-8 * diagonal && length >= 0.49 * exact_length,
+               values(length, exact_length));
   const bool is_simple = locates_itself(geodesic, original, 1e-9 * diagonal);
   totals.located += is_simple;
   for (const Vertex_index v : mesh.vertices())
@@ -195,7 +196,8 @@ void split(const std::string& name, const Surface_mesh& original, const Add_sour
     if (above != levels.begin()) off = (std::min)(off, d - *(above - 1));
     totals.off = (std::max)(totals.off, off / diagonal);
     ++totals.vertices;
-    CHECK_DETAIL(off <= 1e-9 * diagonal, "vertex " + std::to_string(v) + " is off its level by " + std::to_string(off / diagonal));
+    CHECK_DETAIL(off <= 1e-9 * diagonal,
+                 "vertex " + std::to_string(v) + " is off its level by " + std::to_string(off / diagonal));
   }
 
   const double tolerance = 2 * chord_tolerance + 1e-9 * diagonal;
@@ -250,7 +252,8 @@ void split_from_all(const std::string& name, const Surface_mesh& mesh, unsigned 
   const auto sections = random_plane_section(mesh, 2);
   const auto vertex = *mesh.vertices().begin();
   ++totals.meshes;
-  split(name + ", vertex", mesh, [&](Geodesic& g) { g.add_source_point(vertex); }, random);
+  split(
+    name + ", vertex", mesh, [&](Geodesic& g) { g.add_source_point(vertex); }, random);
   const auto polyline = random_polyline(mesh, random);
   if (polyline.size() > 1)
   {
@@ -261,29 +264,36 @@ void split_from_all(const std::string& name, const Surface_mesh& mesh, unsigned 
   if (!sections.empty() && sections[0].locations.size() > 2)
   {
     ++totals.sections;
-    split(name + ", section", mesh, [&](Geodesic& g) {
+    split(
+      name + ", section", mesh,
+      [&](Geodesic& g) {
       for (const auto& s : sections) g.add_source_polyline(s.locations, s.closed);
-    }, random);
+      },
+      random);
   }
   if (!CGAL::is_closed(mesh))
   {
     ++totals.boundaries;
-    split(name + ", boundary", mesh, [&](Geodesic& g) { 
+    split(
+      name + ", boundary", mesh,
+      [&](Geodesic& g) {
       for (const auto& cycle : g.mesh().boundary_edges()) g.add_source_edges(cycle);
-    }, random);
+      },
+      random);
   }
 }
 
 void generated_meshes()
 {
-  const std::pair<const char*, Soup> soups[] = {{"torus", torus(14, 10)},
-                                                {"icosphere", icosphere(2)},
-                                                {"cube", cube_grid(4)},
-                                                {"grid", planar_grid(8, 6)},
-                                                {"needles", random_rectangle(1, 0.01, 60, 4, 3)},
-                                                {"tiny faces", marching_sphere(6)},
-                                                {"cone of 1.5 turns", Cone(8, 3 * CGAL_PI, 1).triangulated(25, 4, 5)},
-                                                {"jittered grid", jittered_grid(12, 9, 7)}};
+  const std::pair<const char*, Soup> soups[] = {
+    {"torus", torus(14, 10)},
+    {"icosphere", icosphere(2)},
+    {"cube", cube_grid(4)},
+    {"grid", planar_grid(8, 6)},
+    {"needles", random_rectangle(1, 0.01, 60, 4, 3)},
+    {"tiny faces", marching_sphere(6)},
+    {"cone of 1.5 turns", Cone(8, 3 * CGAL_PI, 1).triangulated(25, 4, 5)},
+    {"jittered grid", jittered_grid(12, 9, 7)}};
   unsigned seed = 0;
   for (const auto& soup : soups) split_from_all(soup.first, Generated_mesh<Surface_mesh>(soup.second).mesh, ++seed);
 }
@@ -313,7 +323,8 @@ void squares()
   CGAL::split_along_offset_curves(mesh, curves, CGAL::parameters::face_band_map(band).edge_is_constrained_map(constrained));
   double length = 0;
   for (const Edge_index e : mesh.edges())
-    if (constrained[e]) length += std::sqrt(CGAL::squared_distance(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1))));
+    if (constrained[e])
+      length += std::sqrt(CGAL::squared_distance(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1))));
   CHECK_DETAIL(std::abs(length - (12 + 8 + 4)) <= 1e-9, values(length, 24));
   double areas[4] = {};
   for (const Face_index f : mesh.faces()) areas[band[f]] += CGAL::Polygon_mesh_processing::face_area(f, mesh);
@@ -458,7 +469,8 @@ void sources_and_visitor()
 // Splits a square along circles: all vertices are on their level and all bands are right, in both orders of the curves. Levels
 // nearer than 2^-31 of the diagonal are one level. Returns the number of vertices. `is_accurate`: no faces are so thin that the
 // distances on the result are not.
-std::size_t split_along_circles(const std::vector<double>& levels, double chord_tolerance, std::size_t number_of_bands, bool is_accurate)
+std::size_t split_along_circles(const std::vector<double>& levels, double chord_tolerance, std::size_t number_of_bands,
+                                bool is_accurate)
 {
   const double rounding = 2e-9;
   Surface_mesh original = Generated_mesh<Surface_mesh>(planar_grid(2, 2)).mesh; // of size 2
@@ -572,7 +584,8 @@ void levels_without_width()
     Surface_mesh mesh = Generated_mesh<Surface_mesh>(planar_grid(2, 2)).mesh;
     Geodesic geodesic(mesh);
     std::vector<Geodesic::Face_location> row; // through the center
-    for (const Surface_mesh::size_type v : {3u, 4u, 5u}) row.push_back(Locations<Surface_mesh>(mesh).at_vertex(Vertex_index(v)));
+    for (const Surface_mesh::size_type v : {3u, 4u, 5u})
+      row.push_back(Locations<Surface_mesh>(mesh).at_vertex(Vertex_index(v)));
     geodesic.add_source_polyline(row, false, CGAL::parameters::start_value(start_value));
     geodesic.build(CGAL::parameters::keep_windows(true));
     std::vector<double> levels = {start_value * (1 + 1e-11)};
@@ -647,8 +660,8 @@ void other_meshes()
   const Generated_mesh<Polyhedron> data(two);
   Polyhedron mesh = data.mesh;
   std::vector<CGAL::Geodesic_offset_curve_type<Polyhedron>> curves;
-  CGAL::geodesic_offset_curves(mesh, std::vector<Polyhedron::Vertex_handle>{*vertices(mesh).first}, std::vector<double>{0.4, 0.9},
-                               std::back_inserter(curves));
+  CGAL::geodesic_offset_curves(mesh, std::vector<Polyhedron::Vertex_handle>{*vertices(mesh).first},
+                               std::vector<double>{0.4, 0.9}, std::back_inserter(curves));
   const std::size_t before = num_faces(mesh);
   CHECK_THROWS(CGAL::split_along_offset_curves(mesh, curves, CGAL::parameters::chord_tolerance(0.)), std::invalid_argument);
   CHECK_THROWS(CGAL::split_along_offset_curves(mesh, curves, CGAL::parameters::chord_tolerance(1e-300)), std::length_error);

@@ -364,7 +364,9 @@ void equal_distances()
       for (int corner = 0; corner < 4; ++corner) // those of its face, and of the next one
       {
         const auto v = target(h, data.mesh);
-        h = corner == 2 && !is_border(opposite(h, data.mesh), data.mesh) ? next(opposite(h, data.mesh), data.mesh) : next(h, data.mesh);
+        h = corner == 2 && !is_border(opposite(h, data.mesh), data.mesh)
+            ? next(opposite(h, data.mesh), data.mesh)
+            : next(h, data.mesh);
         for (const int units : {-40, -3, -1, 0, 1, 3, 40})
         {
           Report::instance().set_context(std::string("equal distances, ") + soups[k].first + ", seed " + std::to_string(seed) +
@@ -513,8 +515,9 @@ GEODESIC_OFFSET_TEST(test_start_values)
   const auto& t = test_start_values::totals;
   std::cout.precision(3);
   std::cout << t.points << " points, distances off by " << t.distance << ", " << t.ties << " ties, " << t.dominated
-            << " sources inside the region of another one, " << t.paths << " paths off by " << t.path << ", " << t.derivatives.distances
-            << " levels, " << t.derivatives.at_events << " of them at events, derivatives off by " << t.derivatives.worst
-            << ", certified bounds apart by " << t.width << ", offsets certified within " << t.certified << std::endl;
+            << " sources inside the region of another one, " << t.paths << " paths off by " << t.path << ", "
+            << t.derivatives.distances << " levels, " << t.derivatives.at_events << " of them at events, derivatives off by "
+            << t.derivatives.worst << ", certified bounds apart by " << t.width << ", offsets certified within " << t.certified
+            << std::endl;
   return result;
 }

@@ -18,15 +18,13 @@ struct Totals
 };
 
 // The known part of a stopped field: the full field up to the covered distance, and nothing beyond it.
-void check_covered(Query_case& c, const Geodesic& part, const Geodesic& full, bool keep,
-                   Random& random)
+void check_covered(Query_case& c, const Geodesic& part, const Geodesic& full, bool keep, Random& random)
 {
   const double covered = part.covered_distance();
   CHECK_DETAIL(covered > 0, std::to_string(covered));
   Worst_error worst(1e-13, c.checker.scale);
   const double rounding = 1e-13 * c.checker.scale;
-  const auto check = [&](const auto& query)
-  {
+  const auto check = [&](const auto& query) {
     const double d = part.distance_to_sources(query), all = full.distance_to_sources(query);
     if (d <= covered) CHECK_CLOSE(worst, d, all);
     else CHECK_DETAIL(std::isinf(d) && all >= covered - rounding, values(d, all));
@@ -48,16 +46,14 @@ void check_covered(Query_case& c, const Geodesic& part, const Geodesic& full, bo
   {
     const Offset_curves p = offsets(part, 0.7 * covered), q = offsets(full, 0.7 * covered);
     const double m = total_length(p), n = total_length(q);
-    CHECK_DETAIL(p.size() == q.size() && std::abs(m - n) <= 1e-10 * (n + c.checker.scale),
-                 values(m, n));
+    CHECK_DETAIL(p.size() == q.size() && std::abs(m - n) <= 1e-10 * (n + c.checker.scale), values(m, n));
   }
 }
 
 void stops(Query_case& c, unsigned seed, bool keep, Totals& totals)
 {
   Random random(seed);
-  const auto step = [&](const std::string& what)
-  {
+  const auto step = [&](const std::string& what) {
     Report::instance().set_context(c.name + ", seed " + std::to_string(seed) +
                                    (keep ? ", with windows, " : ", without windows, ") + what);
   };
@@ -67,20 +63,17 @@ void stops(Query_case& c, unsigned seed, bool keep, Totals& totals)
   Geodesic full(c.mesh);
   for (const Any_source& s : sources) s.add_to(full);
   std::vector<double> fractions;
-  full.build(CGAL::parameters::keep_windows(true).visitor(
-    [&](double f)
-    {
-      fractions.push_back(f);
-      return true;
-    }));
+  full.build(CGAL::parameters::keep_windows(true).visitor([&](double f) {
+    fractions.push_back(f);
+    return true;
+  }));
   CHECK(!full.is_cancelled() && full.covered_distance() == infinity);
   CHECK(!fractions.empty() && fractions.front() >= 0 && fractions.back() == 1);
   CHECK(std::is_sorted(fractions.begin(), fractions.end()));
   totals.calls += fractions.size();
   const double largest = largest_vertex_distance(full, c.mesh);
   // lower envelopes, which kept windows need, have slightly fewer windows
-  const auto windows_without_keeping = [&]
-  {
+  const auto windows_without_keeping = [&] {
     Geodesic whole(c.mesh);
     for (const Any_source& s : sources) s.add_to(whole);
     whole.build();
@@ -93,8 +86,7 @@ void stops(Query_case& c, unsigned seed, bool keep, Totals& totals)
   for (Vertex_index& v : some) std::swap(v, some[uniform_index(random, some.size())]);
   some.resize((std::min)(some.size(), std::size_t(50)));
   std::sort(some.begin(), some.end(),
-            [&](Vertex_index v, Vertex_index w)
-            { return full.distance_to_sources(v) < full.distance_to_sources(w); });
+            [&](Vertex_index v, Vertex_index w) { return full.distance_to_sources(v) < full.distance_to_sources(w); });
   for (const bool near : {true, false})
   {
     step(near ? "a near target" : "a far target");
@@ -145,14 +137,12 @@ void stops(Query_case& c, unsigned seed, bool keep, Totals& totals)
   const double until = uniform(random, 0.05, 0.9);
   bool refused = false;
   double last = 0;
-  cut.build(CGAL::parameters::keep_windows(keep).visitor(
-    [&](double f)
-    {
-      CHECK(f >= last && f <= 1 && !refused);
-      last = f;
-      refused = f >= until;
-      return !refused;
-    }));
+  cut.build(CGAL::parameters::keep_windows(keep).visitor([&](double f) {
+    CHECK(f >= last && f <= 1 && !refused);
+    last = f;
+    refused = f >= until;
+    return !refused;
+  }));
   CHECK(cut.is_built());
   CHECK(refused || !cut.is_cancelled());
   if (refused && last < 1) CHECK(cut.is_cancelled());
@@ -170,11 +160,9 @@ GEODESIC_OFFSET_TEST(test_stop_conditions)
   Totals totals;
   for_each_query_case(6 * times, [&](Query_case& c, unsigned seed, bool keep) { stops(c, seed, keep, totals); });
   if (totals.all_windows > 0) CHECK(totals.cancelled > 0);
-  const auto percent = [&](std::size_t part)
-  { return 100 * double(part) / double(totals.all_windows); };
-  std::cout << "windows for the nearest of 50 vertices " << percent(totals.near_windows)
-            << " %, for the farthest " << percent(totals.far_windows) << " % of all; "
-            << totals.cancelled << " cancelled, " << totals.calls
+  const auto percent = [&](std::size_t part) { return 100 * double(part) / double(totals.all_windows); };
+  std::cout << "windows for the nearest of 50 vertices " << percent(totals.near_windows) << " %, for the farthest "
+            << percent(totals.far_windows) << " % of all; " << totals.cancelled << " cancelled, " << totals.calls
             << " calls of visitors that did not" << std::endl;
   return Report::instance().finish("test_stop_conditions");
 }

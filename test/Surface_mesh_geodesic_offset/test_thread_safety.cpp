@@ -39,10 +39,7 @@ struct Sequence_answers
     answers.push_back(t);
   }
   void operator()(Vertex_index v) { answers.push_back(double(std::size_t(v))); }
-  void operator()(Face_index f, const Geodesic::Barycentric_coordinates& w)
-  {
-    add(answers, Face_location(f, w));
-  }
+  void operator()(Face_index f, const Geodesic::Barycentric_coordinates& w) { add(answers, Face_location(f, w)); }
 
   Answers& answers;
 };
@@ -72,8 +69,8 @@ void ask(const Geodesic& geodesic, const Query& query, Answers& answers)
 }
 
 // All queries of one thread; `turn` selects the first one, so that threads run different queries concurrently.
-std::vector<Answers> ask_all(const Geodesic& geodesic, const test::Surface_mesh& mesh,
-                             const Path_locations& points, bool keep, std::size_t turn)
+std::vector<Answers> ask_all(const Geodesic& geodesic, const test::Surface_mesh& mesh, const Path_locations& points, bool keep,
+                             std::size_t turn)
 {
   const Mesh_locations locations(mesh);
   const std::vector<Vertex_index> used = used_vertices(mesh);
@@ -100,8 +97,7 @@ std::vector<Answers> ask_all(const Geodesic& geodesic, const test::Surface_mesh&
       }
       break;
     case 3:
-      for (const Face_location& l : points)
-        add(answers, locations.point(geodesic.locate(locations.point(l))));
+      for (const Face_location& l : points) add(answers, locations.point(geodesic.locate(locations.point(l))));
       break;
     case 4:
       if (keep)
@@ -143,8 +139,7 @@ void run(const std::string& name, const test::Surface_mesh& mesh, bool keep)
     g->build(CGAL::parameters::keep_windows(keep));
   }
   Path_locations points;
-  for (std::size_t i = 0; i < 60; ++i)
-    points.push_back(random_location(locations, mesh, random, i % 3));
+  for (std::size_t i = 0; i < 60; ++i) points.push_back(random_location(locations, mesh, random, i % 3));
 
   // two threads are the first to locate points: initially without a tree, which is built meanwhile
   const std::size_t turns[] = {0, 3, 3, 4}, number = 4;
@@ -153,18 +148,16 @@ void run(const std::string& name, const test::Surface_mesh& mesh, bool keep)
   std::vector<std::string> failures(number);
   const Geodesic& asked = shared;
   for (std::size_t t = 0; t < number; ++t)
-    threads.emplace_back(
-      [&, t]
+    threads.emplace_back([&, t] {
+      try
       {
-        try
-        {
-          answers[t] = ask_all(asked, mesh, points, keep, turns[t]);
-        }
-        catch (const std::exception& e)
-        {
-          failures[t] = e.what();
-        }
-      });
+        answers[t] = ask_all(asked, mesh, points, keep, turns[t]);
+      }
+      catch (const std::exception& e)
+      {
+        failures[t] = e.what();
+      }
+    });
   for (std::thread& t : threads) t.join();
   const std::vector<Answers> expected = ask_all(alone, mesh, points, keep, 0);
   std::size_t count = 0;
@@ -174,11 +167,9 @@ void run(const std::string& name, const test::Surface_mesh& mesh, bool keep)
   {
     CHECK_DETAIL(failures[t].empty(), failures[t]);
     for (std::size_t task = 0; failures[t].empty() && task < expected.size(); ++task)
-      CHECK_DETAIL(answers[t][task] == expected[task],
-                   "thread " + std::to_string(t) + ", task " + std::to_string(task));
+      CHECK_DETAIL(answers[t][task] == expected[task], "thread " + std::to_string(t) + ", task " + std::to_string(task));
   }
-  std::cout << Report::instance().context() << ": " << number << " threads, " << count
-            << " numbers each" << std::endl;
+  std::cout << Report::instance().context() << ": " << number << " threads, " << count << " numbers each" << std::endl;
 }
 
 } // namespace test_thread_safety

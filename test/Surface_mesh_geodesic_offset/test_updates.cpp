@@ -18,12 +18,11 @@ struct Totals
 };
 
 // All queries of two objects with the same sources agree up to rounding.
-void check_same(Query_case& c, const Geodesic& a, const Geodesic& b, bool keep, Random& random,
-                Worst_error& worst, double& worst_curves)
+void check_same(Query_case& c, const Geodesic& a, const Geodesic& b, bool keep, Random& random, Worst_error& worst,
+                double& worst_curves)
 {
   const double scale = c.checker.scale;
-  for (Vertex_index v : vertices(c.mesh))
-    CHECK_CLOSE(worst, a.distance_to_sources(v), b.distance_to_sources(v));
+  for (Vertex_index v : vertices(c.mesh)) CHECK_CLOSE(worst, a.distance_to_sources(v), b.distance_to_sources(v));
   CHECK(a.covered_distance() == b.covered_distance());
   CHECK(a.is_cancelled() == b.is_cancelled());
   const Path_locations points = c.random_points(random, 60);
@@ -59,8 +58,7 @@ Geodesic from_scratch(const Query_case& c, const std::vector<Any_source>& source
 // One to three updates, each with one to three new sources; one after a removal; one after a cancelled build.
 void updates(Query_case& c, unsigned seed, bool keep, Totals& totals)
 {
-  const auto step = [&](const std::string& what)
-  {
+  const auto step = [&](const std::string& what) {
     Report::instance().set_context(c.name + ", seed " + std::to_string(seed) +
                                    (keep ? ", with windows, " : ", without windows, ") + what);
   };
@@ -69,8 +67,7 @@ void updates(Query_case& c, unsigned seed, bool keep, Totals& totals)
   std::vector<Any_source> sources;
   Geodesic geodesic(c.mesh);
   std::vector<std::size_t> ids;
-  const auto add = [&]
-  {
+  const auto add = [&] {
     for (std::size_t i = 0; i < 1 + uniform_index(random, 3); ++i)
     {
       sources.push_back(c.random_source(random));
@@ -83,16 +80,14 @@ void updates(Query_case& c, unsigned seed, bool keep, Totals& totals)
   {
     step("update " + std::to_string(round + 1));
     if (seed % 7 != 0 || round > 0) add(); // sometimes without changes
-    if (seed % 4 == 0) // sometimes with a visitor
+    if (seed % 4 == 0)                     // sometimes with a visitor
     {
       double last = 0;
-      geodesic.update(CGAL::parameters::visitor(
-        [&](double fraction)
-        {
-          CHECK(fraction >= last && fraction <= 1);
-          last = fraction;
-          return true;
-        }));
+      geodesic.update(CGAL::parameters::visitor([&](double fraction) {
+        CHECK(fraction >= last && fraction <= 1);
+        last = fraction;
+        return true;
+      }));
       CHECK(last == 1);
     }
     else
@@ -101,8 +96,7 @@ void updates(Query_case& c, unsigned seed, bool keep, Totals& totals)
       {
         const double before = geodesic.distance_to_sources(*vertices(c.mesh).begin());
         geodesic.update(CGAL::parameters::visitor([](double) { return false; }));
-        CHECK(!geodesic.is_cancelled() &&
-              geodesic.distance_to_sources(*vertices(c.mesh).begin()) == before);
+        CHECK(!geodesic.is_cancelled() && geodesic.distance_to_sources(*vertices(c.mesh).begin()) == before);
       }
       geodesic.update();
     }
@@ -165,7 +159,6 @@ GEODESIC_OFFSET_TEST(test_updates)
   for_each_query_case(10 * times, [&](Query_case& c, unsigned seed, bool keep) { updates(c, seed, keep, totals); });
   std::cout << totals.cases << " cases, " << totals.updates << " updates, with "
             << 100 * double(totals.update_windows) / double(totals.scratch_windows)
-            << " % of the windows from scratch; worst relative difference of offset lengths "
-            << totals.curves << std::endl;
+            << " % of the windows from scratch; worst relative difference of offset lengths " << totals.curves << std::endl;
   return Report::instance().finish("test_updates");
 }

@@ -202,7 +202,8 @@ inline bool is_on_line(const Polyline_3& points, double tolerance)
   for (const Point_3& q : points)
     if ((q - p).squared_length() > direction.squared_length()) direction = q - p;
   for (const Point_3& q : points)
-    if (CGAL::cross_product(q - p, direction).squared_length() > tolerance * tolerance * direction.squared_length()) return false;
+    if (CGAL::cross_product(q - p, direction).squared_length() > tolerance * tolerance * direction.squared_length())
+      return false;
   return true;
 }
 
@@ -239,8 +240,7 @@ void check_thin_polyline(const Curve& curve, double tolerance, double size)
   for (const Point_3& p : samples) off_polyline += is_near_polyline(p) ? 0 : 1;
   CHECK_DETAIL(off_polyline == 0, std::to_string(off_polyline) + " of " + std::to_string(samples.size()) +
                                     " points of the curve are off its polyline, tolerance " + std::to_string(tolerance));
-  Near_polyline is_near_curve(samples, tolerance * (1 + part) + rounding),
-    is_on_curve(samples, part * tolerance + rounding);
+  Near_polyline is_near_curve(samples, tolerance * (1 + part) + rounding), is_on_curve(samples, part * tolerance + rounding);
   for (std::size_t i = 0; i < points.size(); ++i)
   {
     off_points += is_on_curve(points[i]) ? 0 : 1;

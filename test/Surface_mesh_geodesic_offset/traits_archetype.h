@@ -59,8 +59,7 @@ public:
   class Change_frame_2
   {
   public:
-    void operator()(double& x, double& y, double& sigma, bool is_parallel, double ox, double oy,
-                    double c, double s) const
+    void operator()(double& x, double& y, double& sigma, bool is_parallel, double ox, double oy, double c, double s) const
     {
       ++calls_->frames;
       if (is_parallel) sigma -= x * ox + y * oy;
@@ -94,8 +93,8 @@ public:
   class Construct_exit_2
   {
   public:
-    bool operator()(double x, double y, double sigma, bool is_parallel, double b, double d, double c,
-                    double s, double length, double& t, double& distance, bool& is_rough) const
+    bool operator()(double x, double y, double sigma, bool is_parallel, double b, double d, double c, double s, double length,
+                    double& t, double& distance, bool& is_rough) const
     {
       ++calls_->exits;
       const double den = s * (is_parallel ? x : x - b) - c * y;
@@ -144,10 +143,7 @@ public:
 
   Construct_apices_2 construct_apices_2_object() const { return Construct_apices_2(calls_); }
   Change_frame_2 change_frame_2_object() const { return Change_frame_2(calls_); }
-  Compare_entry_with_apex_2 compare_entry_with_apex_2_object() const
-  {
-    return Compare_entry_with_apex_2(calls_);
-  }
+  Compare_entry_with_apex_2 compare_entry_with_apex_2_object() const { return Compare_entry_with_apex_2(calls_); }
   Construct_exit_2 construct_exit_2_object() const { return Construct_exit_2(calls_); }
   Compute_distance_2 compute_distance_2_object() const { return Compute_distance_2(calls_); }
   Compare_distance_2 compare_distance_2_object() const { return Compare_distance_2(calls_); }

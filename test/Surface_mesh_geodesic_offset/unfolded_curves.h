@@ -19,10 +19,7 @@
 namespace test {
 
 /// As documented for `offset_curves()`: levels are cut below themselves by a fraction of 2^-42.
-inline double cut_level(double level)
-{
-  return level - std::ldexp(level, -42);
-}
+inline double cut_level(double level) { return level - std::ldexp(level, -42); }
 
 template <class TriangleMesh>
 class Unfolding_of_patches
@@ -40,8 +37,7 @@ public:
   {
     const auto& c = data_.uv[data_.face_number(location.first)];
     const auto& w = location.second;
-    return Point_2(w[0] * c[0].x() + w[1] * c[1].x() + w[2] * c[2].x(),
-                   w[0] * c[0].y() + w[1] * c[1].y() + w[2] * c[2].y());
+    return Point_2(w[0] * c[0].x() + w[1] * c[1].x() + w[2] * c[2].x(), w[0] * c[0].y() + w[1] * c[1].y() + w[2] * c[2].y());
   }
 
   /// Patch coordinates of a point in the face frame that the library documents.
@@ -80,8 +76,8 @@ public:
       if (data_.patches[i] != patch) continue;
       const auto& c = data_.uv[i];
       const double area = cross(c[1] - c[0], c[2] - c[0]);
-      std::array<double, 3> w{{cross(c[1] - p, c[2] - p) / area, cross(c[2] - p, c[0] - p) / area,
-                               cross(c[0] - p, c[1] - p) / area}};
+      std::array<double, 3> w{
+        {cross(c[1] - p, c[2] - p) / area, cross(c[2] - p, c[0] - p) / area, cross(c[0] - p, c[1] - p) / area}};
       const double smallest = *std::min_element(w.begin(), w.end());
       if (!(smallest > best_smallest)) continue;
       best_smallest = smallest;
@@ -117,9 +113,7 @@ class Piece_checker
 public:
   typedef typename Geodesic::Offset_curve Offset_curve;
 
-  Piece_checker(const Geodesic& geodesic, double tolerance)
-    : geodesic_(geodesic), tolerance_(tolerance)
-  {}
+  Piece_checker(const Geodesic& geodesic, double tolerance) : geodesic_(geodesic), tolerance_(tolerance) {}
 
   void check(const Offset_curve& curve)
   {
@@ -133,8 +127,7 @@ public:
       if (i + 1 < n || curve.is_closed())
       {
         const auto next = curve.piece((i + 1) % n);
-        const double gap =
-          std::sqrt(CGAL::squared_distance(curve.point(piece.end()), curve.point(next.start())));
+        const double gap = std::sqrt(CGAL::squared_distance(curve.point(piece.end()), curve.point(next.start())));
         worst_gap_ = (std::max)(worst_gap_, gap);
         CHECK_DETAIL(gap <= tolerance_, values(gap, 0));
       }
@@ -152,16 +145,14 @@ public:
       if (piece.is_arc())
       {
         const double level = piece.radius() + way_to_center;
-        CHECK_DETAIL(std::abs(level - cut_level(curve.distance())) <= tolerance_,
-                     values(level, cut_level(curve.distance())));
+        CHECK_DETAIL(std::abs(level - cut_level(curve.distance())) <= tolerance_, values(level, cut_level(curve.distance())));
       }
       else ++number_of_segments_;
       for (int k = 0; k <= 4; ++k)
       {
         const Point_2 p = piece.point_2(k / 4.);
-        const double off = piece.is_arc()
-                             ? distance(p, piece.center()) - piece.radius()
-                             : std::sqrt(CGAL::squared_distance(p, piece.supporting_line()));
+        const double off = piece.is_arc() ? distance(p, piece.center()) - piece.radius()
+                                          : std::sqrt(CGAL::squared_distance(p, piece.supporting_line()));
         worst_off_ = (std::max)(worst_off_, std::abs(off));
         CHECK_DETAIL(std::abs(off) <= tolerance_, values(off, 0));
       }

@@ -69,7 +69,8 @@ class Ply_table
 public:
   Ply_table(Ply_format format, const std::string& property, const std::string& type = "double")
     : format_(format), property_(property), type_(type)
-  {}
+  {
+  }
 
   std::string operator()(const Soup& soup, const std::vector<double>& distances, bool with_faces = true)
   {
@@ -93,10 +94,8 @@ public:
       add(float(p.y()));
       add(std::uint8_t(i % 256));
       add(float(p.z()));
-      if (type_ == "float")
-        add(float(distances[i]));
-      else
-        add(distances[i]);
+      if (type_ == "float") add(float(distances[i]));
+      else add(distances[i]);
       add(-1.0);
       end_row();
     }

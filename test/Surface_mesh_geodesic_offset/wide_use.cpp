@@ -80,8 +80,8 @@ void use_functions(const Mesh& mesh)
   std::vector<Point_3> path;
   CGAL::shortest_path_to_sources(mesh, v, v, std::back_inserter(path));
   Mesh split = mesh;
-  CGAL::split_along_offset_curves(
-    split, curves, parameters::chord_tolerance(0.1).visitor(CGAL::Default_offset_splitting_visitor<Mesh>()));
+  CGAL::split_along_offset_curves(split, curves,
+                                  parameters::chord_tolerance(0.1).visitor(CGAL::Default_offset_splitting_visitor<Mesh>()));
 }
 
 typedef CGAL::Surface_mesh<Point_3> Surface_mesh;

@@ -86,9 +86,9 @@ bool smooth_shape(std::size_t first, std::size_t limit)
       windows[i].push_back(static_cast<double>(s.windows_propagated));
       const Largest_error error = largest_error(shape.mesh, geodesic, exact);
       ok = ok && error.is_sound;
-      std::printf("| %.0e | %.0f | %zu | %.2f | %.1f %% | %.2e | %.2e |\n", tolerances[i], sizes.back(),
-                  s.windows_propagated, windows[i].back() / sizes.back(), 100 * windows[i].back() / windows[0].back(),
-                  s.relative_error_bound, error.relative);
+      std::printf("| %.0e | %.0f | %zu | %.2f | %.1f %% | %.2e | %.2e |\n", tolerances[i], sizes.back(), s.windows_propagated,
+                  windows[i].back() / sizes.back(), 100 * windows[i].back() / windows[0].back(), s.relative_error_bound,
+                  error.relative);
       std::fflush(stdout);
     }
   }
@@ -118,8 +118,7 @@ bool noisy_grids()
     const Largest_error error = largest_error(data.mesh, merged, distances(data.mesh, exact));
     ok = ok && error.is_sound;
     const double n = static_cast<double>(data.vertices.size());
-    std::printf("| %.0e | %.2f | %.2f | %.2e | %.2e |\n", noise,
-                static_cast<double>(exact.statistics().windows_propagated) / n,
+    std::printf("| %.0e | %.2f | %.2f | %.2e | %.2e |\n", noise, static_cast<double>(exact.statistics().windows_propagated) / n,
                 static_cast<double>(merged.statistics().windows_propagated) / n, merged.statistics().error_bound,
                 error.absolute);
   }

@@ -59,8 +59,7 @@ int main(int argc, char* argv[])
   }
   const CGAL::Bbox_3 box = PMP::bbox(mesh);
   std::cout.precision(17);
-  std::cout << (box.xmin() + box.xmax()) / 2 << ' ' << (box.ymin() + box.ymax()) / 2 << ' '
-            << (box.zmin() + box.zmax()) / 2 << ' '
-            << std::hypot(box.x_span(), box.y_span(), box.z_span()) << '\n';
+  std::cout << (box.xmin() + box.xmax()) / 2 << ' ' << (box.ymin() + box.ymax()) / 2 << ' ' << (box.zmin() + box.zmax()) / 2
+            << ' ' << std::hypot(box.x_span(), box.y_span(), box.z_span()) << '\n';
   return 0;
 }

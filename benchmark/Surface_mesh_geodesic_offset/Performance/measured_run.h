@@ -10,7 +10,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 #ifdef __GLIBC__
-#  include <malloc.h>
+#include <malloc.h>
 #endif
 
 #include <chrono>
@@ -25,7 +25,7 @@ struct Measured_run
 {
   double seconds = 0;
   std::size_t peak_bytes = 0; // beyond the memory in use at the start
-  std::uint64_t windows = 0; // reported by the computation
+  std::uint64_t windows = 0;  // reported by the computation
   std::vector<double> distances;
 };
 
@@ -102,10 +102,9 @@ Measured_run measured_run(const Computation& computation)
   close(channel[1]);
   Measured_run run;
   std::uint64_t count = 0;
-  bool complete = read_all(channel[0], &run.seconds, sizeof(run.seconds)) &&
-                  read_all(channel[0], &run.peak_bytes, sizeof(run.peak_bytes)) &&
-                  read_all(channel[0], &run.windows, sizeof(run.windows)) &&
-                  read_all(channel[0], &count, sizeof(count));
+  bool complete =
+    read_all(channel[0], &run.seconds, sizeof(run.seconds)) && read_all(channel[0], &run.peak_bytes, sizeof(run.peak_bytes)) &&
+    read_all(channel[0], &run.windows, sizeof(run.windows)) && read_all(channel[0], &count, sizeof(count));
   if (complete)
   {
     run.distances.resize(count);
@@ -114,8 +113,7 @@ Measured_run measured_run(const Computation& computation)
   close(channel[0]);
   int status = 0;
   waitpid(child, &status, 0);
-  if (!complete || !WIFEXITED(status) || WEXITSTATUS(status) != 0)
-    throw std::runtime_error("the computation failed");
+  if (!complete || !WIFEXITED(status) || WEXITSTATUS(status) != 0) throw std::runtime_error("the computation failed");
   return run;
 }
 

@@ -57,8 +57,7 @@ constexpr std::size_t number_of_levels = 20;
 template <class Tag>
 void run_steps(const Mesh& mesh, const Vertices& sources, std::vector<double>& figures, std::uint64_t& windows)
 {
-  auto seconds = [start = std::chrono::steady_clock::now()]() mutable
-  {
+  auto seconds = [start = std::chrono::steady_clock::now()]() mutable {
     const auto last = std::exchange(start, std::chrono::steady_clock::now());
     return std::chrono::duration<double>(start - last).count();
   };
@@ -84,36 +83,31 @@ void run_steps(const Mesh& mesh, const Vertices& sources, std::vector<double>& f
 // `threads`: 0 for Sequential_tag. The last figures are the times of the steps.
 benchmark::Measured_run run(const Mesh& mesh, const Vertices& sources, int threads)
 {
-  return benchmark::measured_run(
-    [&](std::vector<double>& figures, std::uint64_t& windows)
-    {
-      if (threads == 0) return run_steps<CGAL::Sequential_tag>(mesh, sources, figures, windows);
-      const auto size = static_cast<std::size_t>(threads);
-      const tbb::global_control control(tbb::global_control::max_allowed_parallelism, size);
-      tbb::task_arena arena(threads);
-      arena.execute([&] { run_steps<CGAL::Parallel_tag>(mesh, sources, figures, windows); });
-    });
+  return benchmark::measured_run([&](std::vector<double>& figures, std::uint64_t& windows) {
+    if (threads == 0) return run_steps<CGAL::Sequential_tag>(mesh, sources, figures, windows);
+    const auto size = static_cast<std::size_t>(threads);
+    const tbb::global_control control(tbb::global_control::max_allowed_parallelism, size);
+    tbb::task_arena arena(threads);
+    arena.execute([&] { run_steps<CGAL::Parallel_tag>(mesh, sources, figures, windows); });
+  });
 }
 
 // Concurrent sequential builds. The only figure is the time of the slowest one.
 double seconds_side_by_side(const Mesh& mesh, const Vertices& sources, int number)
 {
-  const auto run = [&](std::vector<double>& figures, std::uint64_t&)
-  {
+  const auto run = [&](std::vector<double>& figures, std::uint64_t&) {
     std::atomic<int> waiting(number);
     std::vector<double> seconds(static_cast<std::size_t>(number));
     std::vector<std::thread> threads;
     for (double& result : seconds)
-      threads.emplace_back(
-        [&]
-        {
-          Geodesic geodesic(mesh);
-          for (Mesh::Vertex_index v : sources) geodesic.add_source_point(v);
-          for (--waiting; waiting > 0;) std::this_thread::yield();
-          const auto start = std::chrono::steady_clock::now();
-          geodesic.build();
-          result = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-        });
+      threads.emplace_back([&] {
+        Geodesic geodesic(mesh);
+        for (Mesh::Vertex_index v : sources) geodesic.add_source_point(v);
+        for (--waiting; waiting > 0;) std::this_thread::yield();
+        const auto start = std::chrono::steady_clock::now();
+        geodesic.build();
+        result = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+      });
     for (std::thread& t : threads) t.join();
     figures.push_back(*std::max_element(seconds.begin(), seconds.end()));
   };
@@ -171,9 +165,9 @@ bool compare(const std::string& name, const Mesh& mesh, const Vertices& sources,
       std::snprintf(side_by_side, sizeof side_by_side, "%.2f",
                     ways[i].threads * ways[0].seconds[BUILD] / ways[i].seconds_side_by_side);
     const auto faster = [&](Step step) { return ways[0].seconds[step] / ways[i].seconds[step]; };
-    std::printf("| %s | %zu | %zu | %.3f | %d | %.3f | %.2f | %s | %.2f | %.2f | %.4f | %.1f | %.1f | %.1e |\n",
-                name.c_str(), static_cast<std::size_t>(mesh.number_of_vertices()), sources.size(), ways[0].seconds[BUILD],
-                ways[i].threads, ways[i].seconds[BUILD], faster(BUILD), side_by_side, faster(SETTING_UP), faster(CUTTING),
+    std::printf("| %s | %zu | %zu | %.3f | %d | %.3f | %.2f | %s | %.2f | %.2f | %.4f | %.1f | %.1f | %.1e |\n", name.c_str(),
+                static_cast<std::size_t>(mesh.number_of_vertices()), sources.size(), ways[0].seconds[BUILD], ways[i].threads,
+                ways[i].seconds[BUILD], faster(BUILD), side_by_side, faster(SETTING_UP), faster(CUTTING),
                 static_cast<double>(ways[i].windows) / static_cast<double>(ways[0].windows), ways[0].peak_bytes / 1e6,
                 ways[i].peak_bytes / 1e6, worst);
     std::fflush(stdout);
@@ -229,9 +223,6 @@ int main(int argc, char* argv[])
 
 #else
 
-int main()
-{
-  std::cout << "TBB was not found." << std::endl;
-}
+int main() { std::cout << "TBB was not found." << std::endl; }
 
 #endif

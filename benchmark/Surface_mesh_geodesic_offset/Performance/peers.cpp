@@ -29,7 +29,7 @@
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/boost/graph/helpers.h>
 #ifdef CGAL_EIGEN3_ENABLED
-#  include <CGAL/Heat_method_3/Surface_mesh_geodesic_distances_3.h>
+#include <CGAL/Heat_method_3/Surface_mesh_geodesic_distances_3.h>
 #endif
 
 #include <algorithm>
@@ -82,9 +82,9 @@ Source curve_source(const Mesh& mesh, const std::vector<Section>& curve)
     for (const Face_location& l : s.locations)
     {
       const auto weights = on_mesh.support(l);
-      nearer.insert(std::max_element(weights.begin(), weights.end(),
-                                     [](const auto& a, const auto& b) { return a.second < b.second; })
-                      ->first);
+      nearer.insert(std::max_element(weights.begin(), weights.end(), [](const auto& a, const auto& b) {
+                      return a.second < b.second;
+                    })->first);
     }
     for (std::size_t i = 0; i < s.number_of_segments(); ++i)
     {
@@ -137,26 +137,27 @@ public:
   {
     run("ours", [&](std::vector<double>& distances, std::uint64_t& windows) { ours(0, distances, windows); });
     for (const char* tolerance : {"1e-6", "1e-5", "1e-4", "1e-3", "1e-2"})
-      run(std::string("ours, tolerance ") + tolerance, [&](std::vector<double>& distances, std::uint64_t& windows)
-          { ours(std::stod(tolerance), distances, windows); });
+      run(std::string("ours, tolerance ") + tolerance,
+          [&](std::vector<double>& distances, std::uint64_t& windows) { ours(std::stod(tolerance), distances, windows); });
     if (source.curve.empty()) run_smsp(smsp_limit, m_source.vertices);
     else
     {
       run_smsp(smsp_limit, middles(m_mesh, m_source.curve));
       for (std::size_t k : {1, 2, 4, 8, 16})
         run("ours, " + std::to_string(k) + (k == 1 ? " point" : " points") + " per segment",
-            [&](std::vector<double>& distances, std::uint64_t& windows)
-            {
-              Geodesic geodesic(m_mesh);
-              for (const Face_location& l : samples(m_mesh, m_source.curve, k)) geodesic.add_source_point(l);
-              build(geodesic, 0, distances, windows);
-            });
+            [&](std::vector<double>& distances, std::uint64_t& windows) {
+          Geodesic geodesic(m_mesh);
+          for (const Face_location& l : samples(m_mesh, m_source.curve, k)) geodesic.add_source_point(l);
+          build(geodesic, 0, distances, windows);
+        });
     }
     run_heat_method();
-    run("edges", [&](std::vector<double>& distances, std::uint64_t&)
-        { distances = benchmark::edge_distances(m_mesh, m_source.initial); });
-    run("fast marching", [&](std::vector<double>& distances, std::uint64_t&)
-        { distances = benchmark::Fast_marching<Mesh>(m_mesh)(m_source.initial); });
+    run("edges", [&](std::vector<double>& distances, std::uint64_t&) {
+      distances = benchmark::edge_distances(m_mesh, m_source.initial);
+    });
+    run("fast marching", [&](std::vector<double>& distances, std::uint64_t&) {
+      distances = benchmark::Fast_marching<Mesh>(m_mesh)(m_source.initial);
+    });
   }
 
 private:
@@ -180,39 +181,31 @@ private:
   void run_smsp(std::size_t limit, const Points& points)
   {
     if (m_mesh.number_of_vertices() > limit) return;
-    run("SMSP",
-        [&](std::vector<double>& distances, std::uint64_t&)
-        {
-          Shortest_path shortest_path(m_mesh);
-          for (const auto& p : points) add(shortest_path, p);
-          shortest_path.build_sequence_tree();
-          for (Mesh::Vertex_index v : m_mesh.vertices())
-          {
-            const double d = m_mesh.is_isolated(v) ? -1 : shortest_path.shortest_distance_to_source_points(v).first;
-            distances.push_back(d < 0 ? std::numeric_limits<double>::infinity() : d);
-          }
-        });
+    run("SMSP", [&](std::vector<double>& distances, std::uint64_t&) {
+      Shortest_path shortest_path(m_mesh);
+      for (const auto& p : points) add(shortest_path, p);
+      shortest_path.build_sequence_tree();
+      for (Mesh::Vertex_index v : m_mesh.vertices())
+      {
+        const double d = m_mesh.is_isolated(v) ? -1 : shortest_path.shortest_distance_to_source_points(v).first;
+        distances.push_back(d < 0 ? std::numeric_limits<double>::infinity() : d);
+      }
+    });
   }
 
   static void add(Shortest_path& shortest_path, Mesh::Vertex_index v) { shortest_path.add_source_point(v); }
-  static void add(Shortest_path& shortest_path, const Face_location& l)
-  {
-    shortest_path.add_source_point(l.first, l.second);
-  }
+  static void add(Shortest_path& shortest_path, const Face_location& l) { shortest_path.add_source_point(l.first, l.second); }
 
 #ifdef CGAL_EIGEN3_ENABLED
   template <class Mode>
   void run_heat_method(const std::string& name)
   {
-    run(name,
-        [&](std::vector<double>& distances, std::uint64_t&)
-        {
-          CGAL::Heat_method_3::Surface_mesh_geodesic_distances_3<Mesh, Mode> heat(m_mesh);
-          heat.add_sources(m_source.vertices);
-          distances.resize(m_mesh.number_of_vertices());
-          heat.estimate_geodesic_distances(
-            boost::make_iterator_property_map(distances.begin(), get(boost::vertex_index, m_mesh)));
-        });
+    run(name, [&](std::vector<double>& distances, std::uint64_t&) {
+      CGAL::Heat_method_3::Surface_mesh_geodesic_distances_3<Mesh, Mode> heat(m_mesh);
+      heat.add_sources(m_source.vertices);
+      distances.resize(m_mesh.number_of_vertices());
+      heat.estimate_geodesic_distances(boost::make_iterator_property_map(distances.begin(), get(boost::vertex_index, m_mesh)));
+    });
   }
 
   void run_heat_method()

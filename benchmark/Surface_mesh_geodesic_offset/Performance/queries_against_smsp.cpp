@@ -38,10 +38,8 @@ namespace {
 typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 typedef Kernel::Point_3 Point_3;
 typedef CGAL::Surface_mesh<Point_3> Mesh;
-typedef CGAL::Surface_mesh_shortest_path<CGAL::Surface_mesh_shortest_path_traits<Kernel, Mesh>>
-  Shortest_path;
-typedef CGAL::Surface_mesh_geodesic_offset<CGAL::Surface_mesh_geodesic_offset_traits<Kernel, Mesh>>
-  Geodesic;
+typedef CGAL::Surface_mesh_shortest_path<CGAL::Surface_mesh_shortest_path_traits<Kernel, Mesh>> Shortest_path;
+typedef CGAL::Surface_mesh_geodesic_offset<CGAL::Surface_mesh_geodesic_offset_traits<Kernel, Mesh>> Geodesic;
 typedef Geodesic::Face_location Face_location;
 using benchmark::Measured_run;
 
@@ -57,8 +55,7 @@ std::vector<Face_location> random_points(const Mesh& mesh, std::size_t count)
   std::vector<Face_location> result;
   for (std::size_t i = 0; i < count; ++i)
   {
-    const auto face =
-      static_cast<Mesh::size_type>(uniform() * static_cast<double>(num_faces(mesh)));
+    const auto face = static_cast<Mesh::size_type>(uniform() * static_cast<double>(num_faces(mesh)));
     std::array<double, 3> w;
     double sum = 0;
     for (double& x : w) sum += x = -std::log(uniform());
@@ -75,19 +72,11 @@ double seconds_since(std::chrono::steady_clock::time_point start)
 
 // Figures before the distances in the output of a process: seconds of the build, of all distances and of all paths; bytes
 // of kept windows; points of all paths.
-enum
-{
-  BUILD,
-  DISTANCES,
-  PATHS,
-  KEPT_BYTES,
-  PATH_POINTS,
-  NUMBER_OF_FIGURES
-};
+enum { BUILD, DISTANCES, PATHS, KEPT_BYTES, PATH_POINTS, NUMBER_OF_FIGURES };
 
 template <class Build, class Distance, class Path>
-void measure(const std::vector<Face_location>& points, std::vector<double>& out, const Build& build,
-             const Distance& distance, const Path& path)
+void measure(const std::vector<Face_location>& points, std::vector<double>& out, const Build& build, const Distance& distance,
+             const Path& path)
 {
   out.assign(NUMBER_OF_FIGURES, 0);
   out.reserve(NUMBER_OF_FIGURES + points.size());
@@ -120,8 +109,7 @@ Measured_run fastest_run(std::size_t repetitions, const Computation& computation
     const Measured_run run = benchmark::measured_run(computation);
     best.peak_bytes = (std::min)(best.peak_bytes, run.peak_bytes);
     for (int k : {BUILD, DISTANCES, PATHS})
-      best.distances[std::size_t(k)] =
-        (std::min)(best.distances[std::size_t(k)], run.distances[std::size_t(k)]);
+      best.distances[std::size_t(k)] = (std::min)(best.distances[std::size_t(k)], run.distances[std::size_t(k)]);
   }
   return best;
 }
@@ -129,79 +117,61 @@ Measured_run fastest_run(std::size_t repetitions, const Computation& computation
 bool compare(const std::string& file, const Options& options)
 {
   Mesh mesh;
-  if (!CGAL::IO::read_polygon_mesh(file, mesh) || !CGAL::is_triangle_mesh(mesh) ||
-      options.vertex >= num_vertices(mesh))
+  if (!CGAL::IO::read_polygon_mesh(file, mesh) || !CGAL::is_triangle_mesh(mesh) || options.vertex >= num_vertices(mesh))
   {
-    std::cerr << file << " is not a manifold triangle mesh with a vertex " << options.vertex
-              << '\n';
+    std::cerr << file << " is not a manifold triangle mesh with a vertex " << options.vertex << '\n';
     return false;
   }
   const Mesh::Vertex_index source(static_cast<Mesh::size_type>(options.vertex));
   const std::vector<Face_location> points = random_points(mesh, options.queries);
 
-  const Measured_run theirs =
-    fastest_run(options.repetitions,
-                [&](std::vector<double>& out, std::uint64_t&)
-                {
-                  Shortest_path solver(mesh);
-                  measure(
-                    points, out,
-                    [&]
-                    {
-                      solver.add_source_point(source);
-                      solver.build_sequence_tree();
-                      return 0;
-                    },
-                    [&](const Face_location& p)
-                    {
-                      const double d =
-                        solver.shortest_distance_to_source_points(p.first, p.second).first;
-                      return d < 0 ? std::numeric_limits<double>::infinity() : d;
-                    },
-                    [&](const Face_location& p, auto way)
-                    { solver.shortest_path_points_to_source_points(p.first, p.second, way); });
-                });
-  const Measured_run ours = fastest_run(
-    options.repetitions,
-    [&](std::vector<double>& out, std::uint64_t&)
-    {
-      Geodesic solver(mesh);
-      measure(
-        points, out,
-        [&]
-        {
-          solver.add_source_point(source);
-          solver.build(CGAL::parameters::keep_windows(true));
-          return solver.statistics().kept_bytes;
-        },
-        [&](const Face_location& p) { return solver.distance_to_sources(p); },
-        [&](const Face_location& p, auto way) { solver.shortest_path_points_to_sources(p, way); });
-    });
+  const Measured_run theirs = fastest_run(options.repetitions, [&](std::vector<double>& out, std::uint64_t&) {
+    Shortest_path solver(mesh);
+    measure(
+      points, out,
+      [&] {
+      solver.add_source_point(source);
+      solver.build_sequence_tree();
+      return 0;
+      },
+      [&](const Face_location& p) {
+      const double d = solver.shortest_distance_to_source_points(p.first, p.second).first;
+      return d < 0 ? std::numeric_limits<double>::infinity() : d;
+    },
+      [&](const Face_location& p, auto way) { solver.shortest_path_points_to_source_points(p.first, p.second, way); });
+  });
+  const Measured_run ours = fastest_run(options.repetitions, [&](std::vector<double>& out, std::uint64_t&) {
+    Geodesic solver(mesh);
+    measure(
+      points, out,
+      [&] {
+      solver.add_source_point(source);
+      solver.build(CGAL::parameters::keep_windows(true));
+      return solver.statistics().kept_bytes;
+      },
+      [&](const Face_location& p) { return solver.distance_to_sources(p); },
+      [&](const Face_location& p, auto way) { solver.shortest_path_points_to_sources(p, way); });
+  });
 
   double worst = 0;
   for (std::size_t i = NUMBER_OF_FIGURES; i < ours.distances.size(); ++i)
     if (ours.distances[i] != theirs.distances[i])
-      worst =
-        (std::max)(worst, std::abs(ours.distances[i] - theirs.distances[i]) / theirs.distances[i]);
+      worst = (std::max)(worst, std::abs(ours.distances[i] - theirs.distances[i]) / theirs.distances[i]);
   const double vertices = static_cast<double>(num_vertices(mesh));
   const double queries = static_cast<double>(points.size());
-  const auto rates = [&](std::size_t figure)
-  {
+  const auto rates = [&](std::size_t figure) {
     const double a = queries / theirs.distances[figure], b = queries / ours.distances[figure];
-    std::cout << std::setprecision(0) << a << " | " << b << " | " << std::setprecision(1) << b / a
-              << " | ";
+    std::cout << std::setprecision(0) << a << " | " << b << " | " << std::setprecision(1) << b / a << " | ";
   };
-  const double tree = static_cast<double>(theirs.peak_bytes) / vertices,
-               kept = ours.distances[KEPT_BYTES] / vertices;
-  std::cout << std::fixed << "| " << std::filesystem::path(file).stem().string() << " | "
-            << num_vertices(mesh) << " | " << std::setprecision(3) << theirs.distances[BUILD]
-            << " | " << ours.distances[BUILD] << " | ";
+  const double tree = static_cast<double>(theirs.peak_bytes) / vertices, kept = ours.distances[KEPT_BYTES] / vertices;
+  std::cout << std::fixed << "| " << std::filesystem::path(file).stem().string() << " | " << num_vertices(mesh) << " | "
+            << std::setprecision(3) << theirs.distances[BUILD] << " | " << ours.distances[BUILD] << " | ";
   rates(DISTANCES);
   rates(PATHS);
-  std::cout << ours.distances[PATH_POINTS] / queries << " | " << std::setprecision(0) << tree
-            << " | " << kept << " | " << std::setprecision(1) << tree / kept << " | "
-            << std::setprecision(0) << static_cast<double>(ours.peak_bytes) / vertices << " | "
-            << std::scientific << std::setprecision(1) << worst << " |" << std::endl;
+  std::cout << ours.distances[PATH_POINTS] / queries << " | " << std::setprecision(0) << tree << " | " << kept << " | "
+            << std::setprecision(1) << tree / kept << " | " << std::setprecision(0)
+            << static_cast<double>(ours.peak_bytes) / vertices << " | " << std::scientific << std::setprecision(1) << worst
+            << " |" << std::endl;
   return true;
 }
 

@@ -75,23 +75,21 @@ std::vector<Source> sources(const Shape& shape)
 // `farthest`: largest vertex distance, the range of the offsets
 Row run(const Mesh& mesh, const Source& source, std::size_t levels, double farthest)
 {
-  const benchmark::Measured_run result = benchmark::fastest_run(
-    [&](std::vector<double>& figures, std::uint64_t& windows)
-    {
-      Geodesic geodesic(mesh);
-      source.add_to(geodesic);
-      double curves = 0;
-      if (levels == 0) geodesic.build();
-      else
-        geodesic.build_with_offset_curves_by_distance(
-          CGAL::Offset_levels<double>::equally_spaced(farthest / static_cast<double>(levels + 1), levels),
-          [&](double, std::vector<Geodesic::Offset_curve>&& some) { curves += static_cast<double>(some.size()); });
-      double largest = 0;
-      for (Mesh::Vertex_index v : mesh.vertices()) largest = (std::max)(largest, geodesic.distance_to_sources(v));
-      const auto& s = geodesic.statistics();
-      figures = {s.propagation_seconds, s.offset_seconds, static_cast<double>(s.pieces), curves, largest};
-      windows = s.windows_propagated;
-    });
+  const benchmark::Measured_run result = benchmark::fastest_run([&](std::vector<double>& figures, std::uint64_t& windows) {
+    Geodesic geodesic(mesh);
+    source.add_to(geodesic);
+    double curves = 0;
+    if (levels == 0) geodesic.build();
+    else
+      geodesic.build_with_offset_curves_by_distance(
+        CGAL::Offset_levels<double>::equally_spaced(farthest / static_cast<double>(levels + 1), levels),
+        [&](double, std::vector<Geodesic::Offset_curve>&& some) { curves += static_cast<double>(some.size()); });
+    double largest = 0;
+    for (Mesh::Vertex_index v : mesh.vertices()) largest = (std::max)(largest, geodesic.distance_to_sources(v));
+    const auto& s = geodesic.statistics();
+    figures = {s.propagation_seconds, s.offset_seconds, static_cast<double>(s.pieces), curves, largest};
+    windows = s.windows_propagated;
+  });
   const std::vector<double>& figures = result.distances;
   return {source.name,
           levels,
@@ -135,8 +133,7 @@ void print_exponents(const std::vector<Row>& rows)
   for (const auto& item : all)
   {
     const Series& s = item.second;
-    const auto print_one = [&](const char* what, const std::vector<double>& y)
-    {
+    const auto print_one = [&](const char* what, const std::vector<double>& y) {
       std::printf("# exponent\t%s\t%zu\t%s\t%.3f\n", item.first.first.c_str(), item.first.second, what,
                   benchmark::growth_exponent(s.vertices, y));
     };

@@ -68,8 +68,8 @@ private:
   // a: the angle along the tube, b: the angle around it
   static Point point(double a, double b)
   {
-    const double minor = 0.4 * (1 + 0.15 * std::sin(3 * a + b + 0.4) + 0.1 * std::sin(2 * b - 5 * a + 1.3) +
-                                0.05 * std::sin(4 * b + 7 * a + 2.1));
+    const double minor =
+      0.4 * (1 + 0.15 * std::sin(3 * a + b + 0.4) + 0.1 * std::sin(2 * b - 5 * a + 1.3) + 0.05 * std::sin(4 * b + 7 * a + 2.1));
     const double distance = 1 + 0.1 * std::sin(2 * a + 0.7) + minor * std::cos(b);
     const double height = 0.2 * std::sin(a + 0.3) + 0.1 * std::sin(3 * a) + minor * std::sin(b);
     return Point(distance * std::cos(a), distance * std::sin(a), height);

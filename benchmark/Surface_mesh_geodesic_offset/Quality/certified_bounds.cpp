@@ -93,8 +93,8 @@ Result run(const Mesh& mesh, int repeat, int bits)
   {
     const CGAL::Gmpfr d = precise.distance_to_sources(v);
     const std::pair<double, double> bounds = certified.distance_bounds(v);
-    const bool is_within = std::isfinite(bounds.second) ? CGAL::Gmpfr(bounds.first) <= d && d <= CGAL::Gmpfr(bounds.second)
-                                                        : d > CGAL::Gmpfr(1e299);
+    const bool is_within =
+      std::isfinite(bounds.second) ? CGAL::Gmpfr(bounds.first) <= d && d <= CGAL::Gmpfr(bounds.second) : d > CGAL::Gmpfr(1e299);
     if (!is_within) ++r.outside_of_bits;
   }
   return r;

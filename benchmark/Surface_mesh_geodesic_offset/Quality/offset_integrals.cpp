@@ -138,10 +138,11 @@ int run(int argc, char** argv)
   for (int i = 1; i < argc; ++i)
   {
     const std::string name = argv[i];
-    std::size_t* const value = name == "--faces"    ? &options.faces
-                               : name == "--levels" ? &options.levels
-                               : name == "--whole"  ? &options.whole
-                                                    : nullptr;
+    std::size_t* const value =
+      name == "--faces"    ? &options.faces
+      : name == "--levels" ? &options.levels
+      : name == "--whole"  ? &options.whole
+                           : nullptr;
     if (value != nullptr)
     {
       const std::string text = i + 1 < argc ? argv[++i] : "";

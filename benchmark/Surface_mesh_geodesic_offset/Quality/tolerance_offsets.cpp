@@ -66,7 +66,8 @@ std::vector<Result> run(const Mesh& mesh, int levels, int repeat)
       r.curves = 0;
       const auto start = std::chrono::steady_clock::now();
       geodesic.build_with_offset_curves_by_distance(
-        family, [&r](double, Curves&& curves) { r.curves += curves.size(); }, CGAL::parameters::relative_tolerance(tolerances[k]));
+        family, [&r](double, Curves&& curves) { r.curves += curves.size(); },
+        CGAL::parameters::relative_tolerance(tolerances[k]));
       r.seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
       r.pieces = geodesic.statistics().pieces;
     }
@@ -77,10 +78,10 @@ std::vector<Result> run(const Mesh& mesh, int levels, int repeat)
     geodesic.build_with_offset_curves_by_distance(
       family,
       [&](double d, Curves&& curves) {
-        const auto c = enclosure.certify_offset(d, curves);
-        const double allowed = curves.empty() || tolerances[k] == 0 ? d : curves.front().tolerance();
-        results[k].worst = (std::max)(results[k].worst, c.tolerance / allowed);
-        results[k].failures += std::size_t(!c.bounds_region || c.number_of_reversed_curves > 0);
+      const auto c = enclosure.certify_offset(d, curves);
+      const double allowed = curves.empty() || tolerances[k] == 0 ? d : curves.front().tolerance();
+      results[k].worst = (std::max)(results[k].worst, c.tolerance / allowed);
+      results[k].failures += std::size_t(!c.bounds_region || c.number_of_reversed_curves > 0);
       },
       CGAL::parameters::relative_tolerance(tolerances[k]));
   return results;
@@ -93,8 +94,9 @@ int main(int argc, char* argv[])
   int levels = 10, repeat = 5;
   std::size_t meshes = 0;
   bool is_right = true;
-  std::printf("| mesh | faces | tolerance | curves | pieces | no region, or reversed | proven, as a part of the tolerance | time, of the "
-              "exact one |\n|---|---|---|---|---|---|---|---|\n");
+  std::printf(
+    "| mesh | faces | tolerance | curves | pieces | no region, or reversed | proven, as a part of the tolerance | time, of the "
+    "exact one |\n|---|---|---|---|---|---|---|---|\n");
   for (int i = 1; i < argc; ++i)
   {
     const std::string argument = argv[i];
@@ -114,9 +116,10 @@ int main(int argc, char* argv[])
       {
         const Result& r = results[k];
         is_right = is_right && r.failures == 0 && r.worst <= 1;
-        std::printf("| %s | %u | %g | %zu | %zu | %zu | %.2g%s | %.2f |\n", argument.substr(argument.find_last_of('/') + 1).c_str(),
-                    unsigned(mesh.number_of_faces()), tolerances[k], r.curves, r.pieces, r.failures, r.worst,
-                    tolerances[k] == 0 ? " of the distance" : "", median(r.seconds) / median(results[0].seconds));
+        std::printf("| %s | %u | %g | %zu | %zu | %zu | %.2g%s | %.2f |\n",
+                    argument.substr(argument.find_last_of('/') + 1).c_str(), unsigned(mesh.number_of_faces()), tolerances[k],
+                    r.curves, r.pieces, r.failures, r.worst, tolerances[k] == 0 ? " of the distance" : "",
+                    median(r.seconds) / median(results[0].seconds));
       }
       std::fflush(stdout);
     }

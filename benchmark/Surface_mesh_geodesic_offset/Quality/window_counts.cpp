@@ -87,8 +87,9 @@ std::size_t size_of_envelope(const Mesh& mesh, std::size_t source)
     };
     build.field.kept.for_each(h, distance, build.field.source_ref, add);
     if (twin != internal::no_index)
-      build.field.kept.for_each(twin, distance, build.field.source_ref,
-                                [&](const Window& w) { add(seen_from_behind(w, length)); });
+      build.field.kept.for_each(twin, distance, build.field.source_ref, [&](const Window& w) {
+        add(seen_from_behind(w, length));
+      });
     const Window* const first = windows.data();
     number += envelope(first, first + windows.size(), length).size();
   }

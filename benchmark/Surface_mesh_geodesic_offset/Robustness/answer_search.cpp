@@ -51,10 +51,11 @@ int run(const test::Seed_range_options& options, test::Answer_search::Sources so
 
 int main(int argc, char** argv)
 {
-  static const std::map<std::string, test::Answer_search::Sources> kinds = {{"spread", test::Answer_search::SPREAD},
-                                                                            {"coinciding", test::Answer_search::COINCIDING},
-                                                                            {"beside", test::Answer_search::BESIDE},
-                                                                            {"in_faces", test::Answer_search::IN_FACES}};
+  static const std::map<std::string, test::Answer_search::Sources> kinds = {
+    {"spread", test::Answer_search::SPREAD},
+    {"coinciding", test::Answer_search::COINCIDING},
+    {"beside", test::Answer_search::BESIDE},
+    {"in_faces", test::Answer_search::IN_FACES}};
   const auto kind = kinds.find(argc > 1 ? argv[1] : "");
   if (kind == kinds.end())
   {

@@ -93,11 +93,9 @@ public:
       }
     const std::vector<Section> curves = test::random_plane_section(mesh, 1);
     if (!curves.empty())
-      compare(name, "curve", mesh,
-              [&](auto& solver)
-              {
-                for (const Section& s : curves) solver.add_source_polyline(s.locations, s.closed);
-              });
+      compare(name, "curve", mesh, [&](auto& solver) {
+        for (const Section& s : curves) solver.add_source_polyline(s.locations, s.closed);
+      });
   }
 
   void operator()(const std::string& name, const Soup& soup)
@@ -120,8 +118,7 @@ private:
       add_sources(enclosure);
       const double seconds = seconds_of_build(distance), bounds_seconds = seconds_of_build(enclosure);
       Agreement agreement;
-      for (Mesh::Vertex_index v : mesh.vertices())
-        agreement.add(distance.distance_to_sources(v), enclosure.distance_bounds(v));
+      for (Mesh::Vertex_index v : mesh.vertices()) agreement.add(distance.distance_to_sources(v), enclosure.distance_bounds(v));
       m_is_right = m_is_right && agreement.outside == 0;
       const std::size_t n = mesh.number_of_vertices(), windows = distance.statistics().windows_propagated;
       const double windows_a_vertex = static_cast<double>(windows) / static_cast<double>(n);

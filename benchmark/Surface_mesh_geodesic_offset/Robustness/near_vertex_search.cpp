@@ -43,13 +43,15 @@ int run(const test::Seed_range_options& options, test::Near_vertex_search::Sourc
 int main(int argc, char** argv)
 {
   typedef test::Near_vertex_search Search;
-  static const std::map<std::string, Search::Sources> kinds = {{"beside", Search::BESIDE},
-                                                               {"needles", Search::IN_NEEDLES},
-                                                               {"around", Search::AROUND},
-                                                               {"perpendicular", Search::PERPENDICULAR}};
+  static const std::map<std::string, Search::Sources> kinds = {
+    {"beside", Search::BESIDE},
+    {"needles", Search::IN_NEEDLES},
+    {"around", Search::AROUND},
+    {"perpendicular", Search::PERPENDICULAR}};
   const auto kind = kinds.find(argc > 1 ? argv[1] : "");
   const int named = kind != kinds.end() ? 1 : 0; // without a kind: beside
-  return test::run_search("near_vertex_search", "--queries", 200, argc - named, argv + named, [&](const test::Seed_range_options& options) {
+  return test::run_search("near_vertex_search", "--queries", 200, argc - named, argv + named,
+                          [&](const test::Seed_range_options& options) {
     return run(options, named ? kind->second : Search::BESIDE);
   });
 }

@@ -76,8 +76,8 @@ void watch(const test::Offset_search& search, double patience)
   {
     std::this_thread::sleep_for(std::chrono::seconds(1));
     if (!(search.seconds_of_running_case() > patience)) continue;
-    std::cerr << "offset_search: the case with seed " << search.running_seed() << " takes more than " << patience
-              << " s" << std::endl;
+    std::cerr << "offset_search: the case with seed " << search.running_seed() << " takes more than " << patience << " s"
+              << std::endl;
     std::fflush(stdout);
     std::_Exit(3);
   }

@@ -37,7 +37,4 @@ int run(const test::Seed_range_options& options)
 
 } // namespace
 
-int main(int argc, char** argv)
-{
-  return test::run_search("section_search", "--planes", 10, argc, argv, run);
-}
+int main(int argc, char** argv) { return test::run_search("section_search", "--planes", 10, argc, argv, run); }

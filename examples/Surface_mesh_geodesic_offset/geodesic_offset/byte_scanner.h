@@ -17,7 +17,7 @@ class Byte_scanner
 {
   const unsigned char* m_at;
   const unsigned char* m_end;
-  bool                 m_is_big_endian;
+  bool m_is_big_endian;
 
 public:
   Byte_scanner(std::string_view bytes, bool is_big_endian)

@@ -21,8 +21,8 @@ class Byte_writer
 {
   static constexpr std::size_t block = 1 << 16;
 
-  std::ostream&     m_out;
-  Byte_order        m_order;
+  std::ostream& m_out;
+  Byte_order m_order;
   std::vector<char> m_bytes;
 
 public:

@@ -79,20 +79,23 @@ class Color_map
 public:
   Color_map() : m_table(1024)
   {
-    struct Stop { double t, lightness, chroma, hue; };
-    constexpr std::array<Stop, 6> stops = {{{0.00, 0.945, 0.085, 98},
-                                            {0.20, 0.860, 0.145, 78},
-                                            {0.42, 0.765, 0.110, 165},
-                                            {0.62, 0.665, 0.105, 215},
-                                            {0.82, 0.555, 0.135, 262},
-                                            {1.00, 0.450, 0.155, 292}}};
+    struct Stop
+    {
+      double t, lightness, chroma, hue;
+    };
+    constexpr std::array<Stop, 6> stops = {
+      {{0.00, 0.945, 0.085, 98},
+       {0.20, 0.860, 0.145, 78},
+       {0.42, 0.765, 0.110, 165},
+       {0.62, 0.665, 0.105, 215},
+       {0.82, 0.555, 0.135, 262},
+       {1.00, 0.450, 0.155, 292}}};
     constexpr double degree = 3.14159265358979323846 / 180;
     for(std::size_t i = 0; i < m_table.size(); ++i)
     {
       const double t = static_cast<double>(i) / static_cast<double>(m_table.size() - 1);
       std::size_t k = 1;
-      while(k + 1 < stops.size() && t > stops[k].t)
-        ++k;
+      while(k + 1 < stops.size() && t > stops[k].t) ++k;
       const Stop &p = stops[k - 1], &q = stops[k];
       const double s = (t - p.t) / (q.t - p.t), smooth = s * s * (3 - 2 * s);
       const auto between = [&](double x, double y, double w) { return x + w * (y - x); };

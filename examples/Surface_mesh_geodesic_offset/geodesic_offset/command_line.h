@@ -44,8 +44,7 @@ std::array<double, N> numbers(const std::string& option, const std::string& word
 
 inline std::optional<std::array<double, 3>> optional_point(const po::variables_map& map, const char* name)
 {
-  if(map.count(name) == 0)
-    return std::nullopt;
+  if(map.count(name) == 0) return std::nullopt;
   return numbers<3>(name, map[name].as<std::string>());
 }
 
@@ -66,24 +65,20 @@ inline Words option_words(const po::variables_map& map, const char* name)
 // Empty if the option was not given.
 inline std::string option_word(const po::variables_map& map, const char* name)
 {
-  if(map.count(name) == 0)
-    return std::string();
-  if(map[name].as<std::string>().empty())
-    throw Usage_error("--" + std::string(name) + " is empty");
+  if(map.count(name) == 0) return std::string();
+  if(map[name].as<std::string>().empty()) throw Usage_error("--" + std::string(name) + " is empty");
   return map[name].as<std::string>();
 }
 
 inline std::optional<double> optional_positive_number(const po::variables_map& map, const char* name)
 {
-  if(map.count(name) == 0)
-    return std::nullopt;
+  if(map.count(name) == 0) return std::nullopt;
   return positive_number(name, map[name].as<std::string>());
 }
 
 inline std::optional<std::size_t> optional_whole_number(const po::variables_map& map, const char* name)
 {
-  if(map.count(name) == 0)
-    return std::nullopt;
+  if(map.count(name) == 0) return std::nullopt;
   const std::string& word = map[name].as<std::string>();
   std::size_t number = 0;
   if(!parse_index(word, number) || number == 0)
@@ -113,8 +108,7 @@ inline po::variables_map parsed_command_line(int argc, const char* const* argv, 
   positional.add("mesh", -1);
 
   po::variables_map map;
-  if(argc > 1 && *argv[1] == '\0')
-    throw Usage_error("the name of MESH is empty");
+  if(argc > 1 && *argv[1] == '\0') throw Usage_error("the name of MESH is empty");
   try
   {
     // no abbreviations: a misspelt option must not be taken for another one

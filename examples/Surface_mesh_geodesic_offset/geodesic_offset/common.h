@@ -16,19 +16,19 @@
 
 namespace geodesic_offset {
 
-using Vector   = Kernel::Vector_3;
-using Mesh     = CGAL::Surface_mesh<Point>;
-using Traits   = CGAL::Surface_mesh_geodesic_offset_traits<Kernel, Mesh>;
+using Vector = Kernel::Vector_3;
+using Mesh = CGAL::Surface_mesh<Point>;
+using Traits = CGAL::Surface_mesh_geodesic_offset_traits<Kernel, Mesh>;
 using Geodesic = CGAL::Surface_mesh_geodesic_offset<Traits>;
 
 using Geodesic_mesh = Geodesic::Mesh; // locates points
 
-using Vertex        = Mesh::Vertex_index;
-using Halfedge      = Mesh::Halfedge_index;
-using Edge          = Mesh::Edge_index;
-using Face          = Mesh::Face_index;
+using Vertex = Mesh::Vertex_index;
+using Halfedge = Mesh::Halfedge_index;
+using Edge = Mesh::Edge_index;
+using Face = Mesh::Face_index;
 using Face_location = Geodesic::Face_location;
-using Offset_curve  = Geodesic::Offset_curve;
+using Offset_curve = Geodesic::Offset_curve;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 

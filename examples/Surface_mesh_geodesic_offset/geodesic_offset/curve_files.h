@@ -26,22 +26,23 @@ namespace geodesic_offset {
 // Figures of one distance.
 struct Level_figures
 {
-  double      distance = 0;
+  double distance = 0;
   std::size_t number = 0;
   std::size_t closed = 0;
-  double      length = 0;
+  double length = 0;
 };
 
 struct Offsets
 {
   std::vector<Level_figures> levels; // distances with curves, in increasing order
-  std::vector<Offset_curve>  curves; // in the same order; empty if no output needs all of them
-  std::size_t                points = 0; // of polylines within the chord tolerance
+  std::vector<Offset_curve> curves; // in the same order; empty if no output needs all of them
+  std::size_t points = 0; // of polylines within the chord tolerance
 
   std::size_t number_of_curves() const
   {
-    return std::accumulate(levels.begin(), levels.end(), std::size_t(0),
-                           [](std::size_t sum, const Level_figures& level) { return sum + level.number; });
+    return std::accumulate(levels.begin(), levels.end(), std::size_t(0), [](std::size_t sum, const Level_figures& level) {
+      return sum + level.number;
+    });
   }
 };
 
@@ -62,15 +63,13 @@ inline std::uintmax_t bytes_per_point(const std::string& file)
 
 // Adds the files that are not written level by level. Omits a file whose format cannot represent the curves, and returns the
 // reason.
-inline std::string add_curve_files(Output_files& files, const Output_options& options, const Offsets& offsets,
-                                   double tolerance)
+inline std::string add_curve_files(Output_files& files, const Output_options& options, const Offsets& offsets, double tolerance)
 {
   const auto parameters = CGAL::parameters::chord_tolerance(tolerance).unit(options.unit);
   std::string problem;
   for(const std::string& file : options.outputs)
   {
-    if(Level_files::supports(file))
-      continue;
+    if(Level_files::supports(file)) continue;
     const auto write = [&](std::ostream& out) {
       CGAL::IO::write_offset_curves(out, CGAL::IO::offset_file_format(file), offsets.curves, parameters);
     };

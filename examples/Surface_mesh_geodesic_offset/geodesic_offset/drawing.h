@@ -30,8 +30,7 @@ inline bool is_curved_everywhere(const Mesh& mesh, double diagonal)
     return std::abs(normal * (beyond - a)) <= tolerance * std::sqrt(normal.squared_length());
   };
   for(Edge e : mesh.edges())
-    if(!mesh.is_border(e) && (is_flat(mesh.halfedge(e)) || is_flat(mesh.opposite(mesh.halfedge(e)))))
-      return false;
+    if(!mesh.is_border(e) && (is_flat(mesh.halfedge(e)) || is_flat(mesh.opposite(mesh.halfedge(e))))) return false;
   return true;
 }
 
@@ -48,10 +47,8 @@ public:
   Drawing_check(const std::vector<std::string>& outputs, const Mesh& mesh, double diagonal, const Sources& sources)
   {
     for(const std::string& output : outputs)
-      if(has_extension(output, ".svg") && m_file.empty())
-        m_file = output;
-    if(m_file.empty())
-      return;
+      if(has_extension(output, ".svg") && m_file.empty()) m_file = output;
+    if(m_file.empty()) return;
     if(CGAL::IO::can_write_offset_SVG(mesh))
       m_file.clear();
     else if(!sources.are_points() && internal::is_curved_everywhere(mesh, diagonal))
@@ -61,8 +58,7 @@ public:
   // Checks the offsets of one distance.
   void look_at(const std::vector<Offset_curve>& curves)
   {
-    if(m_file.empty() || !m_problem.empty())
-      return;
+    if(m_file.empty() || !m_problem.empty()) return;
     std::ostream nowhere(nullptr);
     try
     {

@@ -24,19 +24,18 @@ class Face_distances
 {
   static constexpr double color_steps = 255; // in the largest distance: the resolution of an image channel
 
-  const Mesh&         m_mesh;
-  const Geodesic&     m_geodesic;
-  double              m_largest;
+  const Mesh& m_mesh;
+  const Geodesic& m_geodesic;
+  double m_largest;
   std::vector<double> m_at_vertices;
-  std::vector<bool>   m_is_long; // by face; empty: none
+  std::vector<bool> m_is_long; // by face; empty: none
 
 public:
   // Uses the last build. `largest`: the largest distance of the surface.
   Face_distances(const Mesh& mesh, const Geodesic& geodesic, double largest)
     : m_mesh(mesh), m_geodesic(geodesic), m_largest(largest), m_at_vertices(mesh.number_of_vertices())
   {
-    for(Vertex v : mesh.vertices())
-      m_at_vertices[v] = geodesic.distance_to_sources(v);
+    for(Vertex v : mesh.vertices()) m_at_vertices[v] = geodesic.distance_to_sources(v);
     find_long_faces();
   }
 
@@ -54,8 +53,7 @@ public:
     u = std::max(u, 0.0);
     v = std::max(v, 0.0);
     const double t = std::max(1 - u - v, 0.0);
-    if(!m_is_long.empty() && m_is_long[f])
-      return m_geodesic.distance_to_sources(Face_location(f, {t, u, v}));
+    if(!m_is_long.empty() && m_is_long[f]) return m_geodesic.distance_to_sources(Face_location(f, {t, u, v}));
     const Halfedge h = m_mesh.halfedge(f);
     const double a = m_at_vertices[m_mesh.source(h)], b = m_at_vertices[m_mesh.target(h)],
                  c = m_at_vertices[m_mesh.target(m_mesh.next(h))];
@@ -72,8 +70,7 @@ private:
       for(Halfedge h : m_mesh.halfedges_around_face(m_mesh.halfedge(f)))
         if(CGAL::squared_distance(m_mesh.point(m_mesh.source(h)), m_mesh.point(m_mesh.target(h))) > longest * longest)
           is_long[f] = has_long = true;
-    if(has_long)
-      m_is_long = std::move(is_long);
+    if(has_long) m_is_long = std::move(is_long);
   }
 };
 

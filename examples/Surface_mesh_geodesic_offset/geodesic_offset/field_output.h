@@ -25,9 +25,9 @@ namespace geodesic_offset {
 // Values at the vertices of the file.
 struct Field_column
 {
-  std::string         name;
-  std::size_t         components; // 1 or 3
-  bool                is_integer; // of 32 bits
+  std::string name;
+  std::size_t components; // 1 or 3
+  bool is_integer; // of 32 bits
   std::vector<double> values;
 };
 
@@ -45,31 +45,26 @@ struct File_field
       columns.push_back({name, components, is_integer, std::vector<double>(components * n, unreached)});
     };
     add("distance", 1, false, infinity);
-    if(with_sides)
-      add("signed_distance", 1, false, infinity);
+    if(with_sides) add("signed_distance", 1, false, infinity);
     if(with_details)
     {
       add("source", 1, true, -1);
       add("side", 1, true, 0);
       add("gradient", 3, false, 0);
     }
-    if(with_error_bounds)
-      add("error_bound", 1, false, 0);
+    if(with_error_bounds) add("error_bound", 1, false, 0);
     for(std::size_t i = 0; i < n; ++i)
     {
       Vertex nearest = Mesh::null_vertex();
       input.for_each_vertex_of(i, [&](Vertex v) {
         const double distance = geodesic.distance_to_sources(v);
-        if(!(distance < columns[0].values[i]))
-          return;
+        if(!(distance < columns[0].values[i])) return;
         columns[0].values[i] = distance;
         nearest = v;
       });
-      if(nearest == Mesh::null_vertex())
-        continue;
+      if(nearest == Mesh::null_vertex()) continue;
       std::size_t k = 1;
-      if(with_sides)
-        columns[k++].values[i] = geodesic.signed_distance_to_sources(nearest);
+      if(with_sides) columns[k++].values[i] = geodesic.signed_distance_to_sources(nearest);
       if(with_details)
       {
         if(const auto source = geodesic.nearest_source(nearest))
@@ -79,12 +74,10 @@ struct File_field
         }
         k += 2;
         const Vector gradient = geodesic.gradient(nearest);
-        for(int c = 0; c < 3; ++c)
-          columns[k].values[3 * i + static_cast<std::size_t>(c)] = gradient[c];
+        for(int c = 0; c < 3; ++c) columns[k].values[3 * i + static_cast<std::size_t>(c)] = gradient[c];
         ++k;
       }
-      if(with_error_bounds)
-        columns[k].values[i] = geodesic.error_bound(nearest);
+      if(with_error_bounds) columns[k].values[i] = geodesic.error_bound(nearest);
     }
   }
 
@@ -99,8 +92,7 @@ namespace internal {
 // Names of the numbers of a column.
 inline std::vector<std::string> names_of_components(const Field_column& column)
 {
-  if(column.components == 1)
-    return {column.name};
+  if(column.components == 1) return {column.name};
   return {column.name + "_x", column.name + "_y", column.name + "_z"};
 }
 
@@ -116,8 +108,7 @@ inline void write_values(Byte_writer& bytes, const Field_column& column, std::si
 inline void write_field_ply(std::ostream& out, const Soup& soup, const File_field& field)
 {
   std::size_t largest = 0;
-  for(const Polygon& polygon : soup.polygons)
-    largest = std::max(largest, polygon.size());
+  for(const Polygon& polygon : soup.polygons) largest = std::max(largest, polygon.size());
   const bool small = (largest < 256);
 
   out << "ply\nformat binary_little_endian 1.0\ncomment geodesic distances\n"
@@ -132,10 +123,8 @@ inline void write_field_ply(std::ostream& out, const Soup& soup, const File_fiel
   Byte_writer bytes(out, Byte_order::little);
   for(std::size_t i = 0; i < soup.points.size(); ++i)
   {
-    for(int c = 0; c < 3; ++c)
-      bytes.write(soup.points[i][c]);
-    for(const Field_column& column : field.columns)
-      write_values(bytes, column, i);
+    for(int c = 0; c < 3; ++c) bytes.write(soup.points[i][c]);
+    for(const Field_column& column : field.columns) write_values(bytes, column, i);
   }
   for(const Polygon& polygon : soup.polygons)
   {
@@ -143,8 +132,7 @@ inline void write_field_ply(std::ostream& out, const Soup& soup, const File_fiel
       bytes.write(static_cast<std::uint8_t>(polygon.size()));
     else
       bytes.write(static_cast<std::uint32_t>(polygon.size()));
-    for(std::uint32_t v : polygon)
-      bytes.write(v);
+    for(std::uint32_t v : polygon) bytes.write(v);
   }
 }
 
@@ -162,19 +150,16 @@ inline void write_field_vtk(std::ostream& out, const Soup& soup, const File_fiel
   out << "# vtk DataFile Version 3.0\ngeodesic distances\nBINARY\nDATASET POLYDATA\nPOINTS " << n << " double\n";
   write([&](Byte_writer& bytes) {
     for(const Point& p : soup.points)
-      for(int c = 0; c < 3; ++c)
-        bytes.write(p[c]);
+      for(int c = 0; c < 3; ++c) bytes.write(p[c]);
   });
   std::size_t numbers = 0;
-  for(const Polygon& polygon : soup.polygons)
-    numbers += 1 + polygon.size();
+  for(const Polygon& polygon : soup.polygons) numbers += 1 + polygon.size();
   out << "POLYGONS " << soup.polygons.size() << ' ' << numbers << '\n';
   write([&](Byte_writer& bytes) {
     for(const Polygon& polygon : soup.polygons)
     {
       bytes.write(static_cast<std::uint32_t>(polygon.size()));
-      for(std::uint32_t v : polygon)
-        bytes.write(v);
+      for(std::uint32_t v : polygon) bytes.write(v);
     }
   });
   out << "POINT_DATA " << n << '\n';
@@ -186,11 +171,9 @@ inline void write_field_vtk(std::ostream& out, const Soup& soup, const File_fiel
       out << "SCALARS " << column.name << ' ' << type << " 1\nLOOKUP_TABLE default\n";
     else if(k == 1)
       out << "FIELD field " << field.columns.size() - 1 << '\n';
-    if(k != 0)
-      out << column.name << ' ' << column.components << ' ' << n << ' ' << type << '\n';
+    if(k != 0) out << column.name << ' ' << column.components << ' ' << n << ' ' << type << '\n';
     write([&](Byte_writer& bytes) {
-      for(std::size_t i = 0; i < n; ++i)
-        write_values(bytes, column, i);
+      for(std::size_t i = 0; i < n; ++i) write_values(bytes, column, i);
     });
   }
 }
@@ -200,8 +183,7 @@ inline void write_field_csv(std::ostream& out, const Soup& soup, const File_fiel
   out.precision(std::numeric_limits<double>::max_digits10);
   out << "x,y,z";
   for(const Field_column& column : field.columns)
-    for(const std::string& name : names_of_components(column))
-      out << ',' << name;
+    for(const std::string& name : names_of_components(column)) out << ',' << name;
   out << '\n';
   for(std::size_t i = 0; i < soup.points.size(); ++i)
   {
@@ -225,8 +207,7 @@ inline void write_field_csv(std::ostream& out, const Soup& soup, const File_fiel
 // Size without headers; 0, which means unknown, for text.
 inline std::uintmax_t bytes_of_field(const std::string& file, const Soup& soup, const File_field& field)
 {
-  if(has_extension(file, ".csv"))
-    return 0;
+  if(has_extension(file, ".csv")) return 0;
   std::uintmax_t row = 3 * sizeof(double);
   for(const Field_column& column : field.columns)
     row += column.components * (column.is_integer ? sizeof(std::uint32_t) : sizeof(double));

@@ -27,7 +27,7 @@ namespace geodesic_offset {
 class File_bytes
 {
   std::unique_ptr<char[]> m_bytes;
-  std::size_t             m_size = 0;
+  std::size_t m_size = 0;
 
   [[noreturn]] static void fail(const std::string& path, const std::string& why)
   {
@@ -41,15 +41,12 @@ public:
   explicit File_bytes(const std::string& path)
   {
     std::error_code error;
-    if(std::filesystem::is_directory(path, error))
-      fail(path, "it is a directory");
+    if(std::filesystem::is_directory(path, error)) fail(path, "it is a directory");
     errno = 0;
     const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
-    if(!file)
-      fail(path, reason());
+    if(!file) fail(path, reason());
     const std::uintmax_t expected = std::filesystem::file_size(path, error);
-    if(!error)
-      require_memory(quoted(path), expected);
+    if(!error) require_memory(quoted(path), expected);
     try
     {
       // one byte more than expected, to detect the end of the file without another block
@@ -60,10 +57,8 @@ public:
     {
       fail(path, "it does not fit into memory");
     }
-    if(std::ferror(file.get()))
-      fail(path, reason());
-    if(m_size == 0)
-      throw Input_error(quoted(path) + " is empty");
+    if(std::ferror(file.get())) fail(path, reason());
+    if(m_size == 0) throw Input_error(quoted(path) + " is empty");
   }
 
   std::string_view view() const { return {m_bytes.get(), m_size}; }
@@ -76,8 +71,7 @@ private:
     {
       errno = 0;
       m_size += std::fread(m_bytes.get() + m_size, 1, capacity - m_size, &file);
-      if(m_size < capacity)
-        return;
+      if(m_size < capacity) return;
       capacity *= 2;
       std::unique_ptr<char[]> larger(new char[capacity]);
       std::memcpy(larger.get(), m_bytes.get(), m_size);

@@ -33,8 +33,7 @@ inline std::filesystem::path canonical_path(const std::string& name)
 inline bool is_same_file(const std::string& a, const std::string& b)
 {
   std::error_code error;
-  if(std::filesystem::equivalent(a, b, error) && !error)
-    return true;
+  if(std::filesystem::equivalent(a, b, error) && !error) return true;
   return canonical_path(a) == canonical_path(b);
 }
 
@@ -46,8 +45,7 @@ inline void check_different_files(const std::vector<std::string>& read, const st
     for(std::size_t k = 0; k < read.size() + i; ++k)
     {
       const std::string& other = k < read.size() ? read[k] : written[k - read.size()];
-      if(written[i] == other)
-        throw Usage_error("the file " + quoted(other) + " is named twice");
+      if(written[i] == other) throw Usage_error("the file " + quoted(other) + " is named twice");
       if(is_same_file(written[i], other))
         throw Usage_error("the file " + quoted(other) + " is named twice, also as " + quoted(written[i]));
     }

@@ -22,11 +22,11 @@ class Level_files
 {
   struct File
   {
-    std::string                                    target;
+    std::string target;
     std::unique_ptr<CGAL::IO::Offset_level_writer> writer;
   };
 
-  Output_files&     m_files;
+  Output_files& m_files;
   std::vector<File> m_open;
 
 public:
@@ -48,8 +48,7 @@ public:
   void write(const std::vector<Offset_curve>& curves)
   {
     for(File& file : m_open)
-      if(!file.writer->write(curves))
-        m_files.check_stream(file.target);
+      if(!file.writer->write(curves)) m_files.check_stream(file.target);
   }
 
   void finish()

@@ -21,23 +21,23 @@ namespace geodesic_offset {
 struct Selection
 {
   CGAL::Offset_side side = CGAL::Offset_side::BOTH;
-  CGAL::Offset_end  end = CGAL::Offset_end::ROUND;
+  CGAL::Offset_end end = CGAL::Offset_end::ROUND;
 
   bool is_everything() const { return side == CGAL::Offset_side::BOTH && end == CGAL::Offset_end::ROUND; }
 };
 
 struct Level_options
 {
-  std::vector<double>        distances;
-  std::optional<double>      spacing;
-  std::optional<double>      start; // of the spacing
+  std::vector<double> distances;
+  std::optional<double> spacing;
+  std::optional<double> start; // of the spacing
   std::optional<std::size_t> count; // of the spacing
-  std::optional<double>      maximum_distance;
-  double                     relative_tolerance = 0; // of distances
-  double                     merging_tolerance = 0;
-  std::string                side; // empty: not given
-  std::string                end; // empty: not given
-  Selection                  selection;
+  std::optional<double> maximum_distance;
+  double relative_tolerance = 0; // of distances
+  double merging_tolerance = 0;
+  std::string side; // empty: not given
+  std::string end; // empty: not given
+  Selection selection;
 
   bool has_levels() const { return !distances.empty() || spacing; }
 
@@ -55,18 +55,19 @@ inline po::options_description level_options_description()
   const auto words = [](const char* name) { return po::value<Words>()->value_name(name); };
   const auto word = [](const char* name) { return po::value<std::string>()->value_name(name); };
   po::options_description levels("Levels");
-  levels.add_options()
-    ("distance", words("D"), "offset at distance D (repeatable, also together with --spacing)")
-    ("spacing", word("S"), "offsets at S, 2 S, 3 S, ... until the whole surface is covered")
-    ("start", word("D"), "with --spacing: offsets at D, D + S, D + 2 S, ... instead")
-    ("count", word("N"), "with --spacing: at most N of them")
-    ("maximum-distance", word("D"), "do not compute points farther than D")
-    ("relative-tolerance", word("T"), "distances may be smaller than the exact ones by a fraction T of them, which saves time on fine "
-                                      "smooth meshes; --stats has the bound that was reached")
-    ("merging-tolerance", word("L"), "distances may be smaller than the exact ones by a length L")
-    ("side", word("SIDE"), "side of polylines and sections: both (default), left, right, or of closed ones inside, outside")
-    ("end", word("END"), "offsets beyond the ends of open polylines: round (default with both sides) or butt, which means "
-                         "none (default with one side)");
+  levels.add_options()("distance", words("D"), "offset at distance D (repeatable, also together with --spacing)")(
+    "spacing", word("S"), "offsets at S, 2 S, 3 S, ... until the whole surface is covered")(
+    "start", word("D"),
+    "with --spacing: offsets at D, D + S, D + 2 S, ... instead")("count", word("N"), "with --spacing: at most N of them")(
+    "maximum-distance", word("D"), "do not compute points farther than D")(
+    "relative-tolerance", word("T"),
+    "distances may be smaller than the exact ones by a fraction T of them, which saves time on fine "
+    "smooth meshes; --stats has the bound that was reached")("merging-tolerance", word("L"),
+                                                             "distances may be smaller than the exact ones by a length L")(
+    "side", word("SIDE"), "side of polylines and sections: both (default), left, right, or of closed ones inside, outside")(
+    "end", word("END"),
+    "offsets beyond the ends of open polylines: round (default with both sides) or butt, which means "
+    "none (default with one side)");
   return levels;
 }
 
@@ -99,8 +100,7 @@ inline Selection selection(const std::string& side, const std::string& end)
 
 inline void read_level_options(const po::variables_map& map, Level_options& options)
 {
-  for(const std::string& w : option_words(map, "distance"))
-    options.distances.push_back(positive_number("distance", w));
+  for(const std::string& w : option_words(map, "distance")) options.distances.push_back(positive_number("distance", w));
   options.spacing = optional_positive_number(map, "spacing");
   options.start = optional_positive_number(map, "start");
   options.count = optional_whole_number(map, "count");
@@ -114,8 +114,7 @@ inline void read_level_options(const po::variables_map& map, Level_options& opti
   options.selection = selection(options.side, options.end);
 
   for(const char* option : {"start", "count"})
-    if(map.count(option) && !options.spacing)
-      throw Usage_error("--" + std::string(option) + " needs --spacing");
+    if(map.count(option) && !options.spacing) throw Usage_error("--" + std::string(option) + " needs --spacing");
   for(const char* option : {"side", "end"})
     if(map.count(option) && !options.has_levels())
       throw Usage_error("--" + std::string(option) + " needs --distance or --spacing");

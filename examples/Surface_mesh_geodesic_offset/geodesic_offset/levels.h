@@ -41,7 +41,7 @@ class Levels
 
   std::vector<double> m_distances;
   std::vector<double> m_named;
-  bool                m_is_open_ended;
+  bool m_is_open_ended;
 
 public:
   // bound_of_reach(): upper bound of the largest distance of the surface. exact_reach(): the largest distance; slow, called
@@ -50,15 +50,12 @@ public:
   Levels(const Level_options& options, double diagonal, const Bound& bound_of_reach, const Exact& exact_reach)
     : m_distances(options.distances), m_is_open_ended(options.is_open_ended())
   {
-    for(double distance : options.distances)
-      check_length("distance", distance, diagonal);
+    for(double distance : options.distances) check_length("distance", distance, diagonal);
     check_length("spacing", options.spacing, diagonal);
     check_length("start", options.start, diagonal);
-    if(options.spacing)
-      add_spaced(options, bound_of_reach, exact_reach);
+    if(options.spacing) add_spaced(options, bound_of_reach, exact_reach);
     m_named = m_is_open_ended ? options.distances : m_distances;
-    if(m_is_open_ended)
-      m_named.push_back(options.start.value_or(*options.spacing));
+    if(m_is_open_ended) m_named.push_back(options.start.value_or(*options.spacing));
     for(std::vector<double>* levels : {&m_distances, &m_named})
     {
       std::sort(levels->begin(), levels->end());
@@ -66,9 +63,9 @@ public:
     }
   }
 
-  bool        empty() const { return m_distances.empty(); }
+  bool empty() const { return m_distances.empty(); }
   std::size_t size() const { return m_distances.size(); }
-  double      largest() const { return m_distances.back(); }
+  double largest() const { return m_distances.back(); }
 
   // In increasing order.
   const std::vector<double>& distances() const { return m_distances; }
@@ -95,18 +92,16 @@ private:
     {
       number = static_cast<double>(*options.count);
       if(number > static_cast<double>(most))
-        throw Usage_error("--count " + std::to_string(*options.count) + ": there can be no more than " +
-                          std::to_string(most) + " offsets");
+        throw Usage_error("--count " + std::to_string(*options.count) + ": there can be no more than " + std::to_string(most) +
+                          " offsets");
     }
     else
     {
       number = number_up_to(bound_of_reach());
-      if(number > static_cast<double>(most_without_count))
-        number = number_up_to(exact_reach());
+      if(number > static_cast<double>(most_without_count)) number = number_up_to(exact_reach());
       if(number > static_cast<double>(most_without_count))
         throw Usage_error("--spacing " + short_number(spacing) + " would give " + short_number(number) +
-                          " offsets of this mesh; more than " + std::to_string(most_without_count) +
-                          " need --count");
+                          " offsets of this mesh; more than " + std::to_string(most_without_count) + " need --count");
     }
     const double last = options.start ? *options.start + (number - 1) * spacing : number * spacing;
     if(options.count && !std::isfinite(last))

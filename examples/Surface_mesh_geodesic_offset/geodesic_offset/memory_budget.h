@@ -35,8 +35,7 @@ inline std::uintmax_t available_memory()
   std::uintmax_t kilobytes = 0;
   std::ifstream machine("/proc/meminfo");
   for(std::string word; machine >> word;)
-    if(word == "MemAvailable:" && machine >> kilobytes)
-      limit_to(kilobytes * 1024, 0);
+    if(word == "MemAvailable:" && machine >> kilobytes) limit_to(kilobytes * 1024, 0);
   std::uintmax_t limit = 0, used = 0;
   std::ifstream group_limit("/sys/fs/cgroup/memory.max"), group_used("/sys/fs/cgroup/memory.current");
   if(group_limit >> limit && group_used >> used) // the limit may also be the word "max"

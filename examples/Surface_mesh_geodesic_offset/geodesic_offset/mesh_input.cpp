@@ -20,8 +20,7 @@
 
 namespace geodesic_offset {
 
-Mesh_input::Mesh_input(const std::string& path, bool join_borders)
-  : m_soup(read_soup(path)), m_remarks(m_soup.remarks)
+Mesh_input::Mesh_input(const std::string& path, bool join_borders) : m_soup(read_soup(path)), m_remarks(m_soup.remarks)
 {
   require_memory_for_faces(path);
   measure(path);
@@ -43,8 +42,7 @@ void Mesh_input::require_memory_for_faces(const std::string& path) const
   // since allocators differ, and part of the memory is already in use.
   constexpr std::uintmax_t smallest_bytes_per_triangle = 200;
   std::uintmax_t triangles = 0;
-  for(const Polygon& polygon : m_soup.polygons)
-    triangles += polygon.size() - 2;
+  for(const Polygon& polygon : m_soup.polygons) triangles += polygon.size() - 2;
   require_memory(quoted(path) + ", with " + counted(static_cast<std::size_t>(triangles), "triangle") + ',',
                  smallest_bytes_per_triangle * triangles);
 }
@@ -52,31 +50,26 @@ void Mesh_input::require_memory_for_faces(const std::string& path) const
 void Mesh_input::measure(const std::string& path)
 {
   CGAL::Bbox_3 box;
-  for(const Point& p : m_soup.points)
-    box += p.bbox();
+  for(const Point& p : m_soup.points) box += p.bbox();
   double square = 0;
-  for(int c = 0; c < 3; ++c)
-    square += (box.max(c) - box.min(c)) * (box.max(c) - box.min(c));
+  for(int c = 0; c < 3; ++c) square += (box.max(c) - box.min(c)) * (box.max(c) - box.min(c));
   m_diagonal = std::sqrt(square);
   // squares of lengths, and products of two of these, must be within the range of double
   if(!(m_diagonal < 1e70) || (m_diagonal > 0 && m_diagonal < 1e-70))
     throw Input_error(quoted(path) + ": the coordinates are too " + (m_diagonal > 1 ? "large" : "small"));
-  if(m_diagonal == 0)
-    throw Input_error(quoted(path) + ": all vertices are at the same place");
+  if(m_diagonal == 0) throw Input_error(quoted(path) + ": all vertices are at the same place");
 }
 
 bool Mesh_input::clean(Polygon& polygon)
 {
   polygon.erase(std::unique(polygon.begin(), polygon.end()), polygon.end());
-  while(polygon.size() > 1 && polygon.front() == polygon.back())
-    polygon.pop_back();
+  while(polygon.size() > 1 && polygon.front() == polygon.back()) polygon.pop_back();
   return polygon.size() >= 3;
 }
 
 bool Mesh_input::has_repetition(const Polygon& polygon)
 {
-  if(polygon.size() == 3)
-    return polygon[0] == polygon[1] || polygon[1] == polygon[2] || polygon[2] == polygon[0];
+  if(polygon.size() == 3) return polygon[0] == polygon[1] || polygon[1] == polygon[2] || polygon[2] == polygon[0];
   Polygon sorted = polygon;
   std::sort(sorted.begin(), sorted.end());
   return std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end();
@@ -92,29 +85,26 @@ void Mesh_input::clean_polygons(const std::string& path, Faces& faces)
   {
     Polygon polygon = m_soup.polygons[i];
     const bool is_polygon = clean(polygon);
-    if(polygon.size() != m_soup.polygons[i].size() && repetitions++ == 0)
-      first_repetition = i;
-    if(!is_polygon)
-      continue;
+    if(polygon.size() != m_soup.polygons[i].size() && repetitions++ == 0) first_repetition = i;
+    if(!is_polygon) continue;
     if(!has_repetition(polygon) && is_simple(polygon, m_soup.points))
     {
       faces.add(i, std::move(polygon));
       continue;
     }
-    if(divided++ == 0)
-      first_divided = i;
+    if(divided++ == 0) first_divided = i;
     for(Polygon& triangle : triangles_of(polygon, m_soup.points))
-      if(!has_repetition(triangle))
-        faces.add(i, std::move(triangle));
+      if(!has_repetition(triangle)) faces.add(i, std::move(triangle));
   }
   if(repetitions != 0)
     m_remarks.push_back(counted(repetitions, "face") + " with repeated vertices cleaned (the first is face " +
                         std::to_string(first_repetition) + ")");
   if(divided != 0)
-    m_remarks.push_back(counted(divided, "face") + " not planar or not simple, divided into triangles all the same (the "
-                        "first is face " + std::to_string(first_divided) + ")");
-  if(faces.names.empty())
-    throw Input_error(quoted(path) + ": no face has three different vertices");
+    m_remarks.push_back(counted(divided, "face") +
+                        " not planar or not simple, divided into triangles all the same (the "
+                        "first is face " +
+                        std::to_string(first_divided) + ")");
+  if(faces.names.empty()) throw Input_error(quoted(path) + ": no face has three different vertices");
 }
 
 void Mesh_input::build(const std::string& path, Faces& faces, bool join_borders)
@@ -123,16 +113,14 @@ void Mesh_input::build(const std::string& path, Faces& faces, bool join_borders)
   faces.points = m_soup.points;
   faces.polygons = faces.names;
   std::size_t added = make_manifold(path, faces);
-  const std::vector<Vertex> double_borders =
-    join_borders ? vertices_of_double_borders(m_mesh) : std::vector<Vertex>();
+  const std::vector<Vertex> double_borders = join_borders ? vertices_of_double_borders(m_mesh) : std::vector<Vertex>();
   if(!double_borders.empty())
   {
     const std::size_t before = number_of_border_edges(m_mesh);
     merge(double_borders, faces);
     added = make_manifold(path, faces);
     const std::size_t after = number_of_border_edges(m_mesh);
-    if(after < before)
-      m_remarks.push_back(counted((before - after) / 2, "pair") + " of border edges stitched");
+    if(after < before) m_remarks.push_back(counted((before - after) / 2, "pair") + " of border edges stitched");
   }
   if(faces.names.size() != polygons_before)
     m_remarks.push_back(counted(polygons_before - faces.names.size(), "repeated face") + " left out");
@@ -145,21 +133,18 @@ void Mesh_input::build(const std::string& path, Faces& faces, bool join_borders)
 
 std::size_t Mesh_input::make_manifold(const std::string& path, Faces& faces)
 {
-  if(make_mesh(faces))
-    return 0;
+  if(make_mesh(faces)) return 0;
   drop_repeated_faces(faces);
   const std::vector<Polygon> before = faces.polygons;
   const std::size_t number_of_points = faces.points.size();
   CGAL::Polygon_mesh_processing::orient_polygon_soup(faces.points, faces.polygons);
   for(std::size_t i = 0; i < before.size(); ++i)
   {
-    if(is_same(before[i], faces.polygons[i], faces.points, number_of_points))
-      continue;
+    if(is_same(before[i], faces.polygons[i], faces.points, number_of_points)) continue;
     std::reverse(faces.names[i].begin(), faces.names[i].end());
     faces.is_reversed[i] = !faces.is_reversed[i];
   }
-  if(!make_mesh(faces))
-    throw Input_error(quoted(path) + ": the faces cannot be made a manifold");
+  if(!make_mesh(faces)) throw Input_error(quoted(path) + ": the faces cannot be made a manifold");
   return faces.points.size() - number_of_points - find_copies(faces, before, number_of_points);
 }
 
@@ -167,15 +152,13 @@ std::size_t Mesh_input::find_copies(Faces& faces, const std::vector<Polygon>& be
 {
   using Directed_edge = std::pair<std::uint32_t, std::uint32_t>;
   std::vector<std::uint32_t> original(faces.points.size());
-  for(std::uint32_t i = 0; i < original.size(); ++i)
-    original[i] = i;
+  for(std::uint32_t i = 0; i < original.size(); ++i) original[i] = i;
   std::vector<Directed_edge> edges;
   for(std::size_t i = 0; i < before.size(); ++i)
   {
     Polygon polygon = before[i]; // with the corners of the new one, as they were called
     const bool is_reversed = !is_same(polygon, faces.polygons[i], faces.points, number_of_points);
-    if(is_reversed)
-      std::reverse(polygon.begin(), polygon.end());
+    if(is_reversed) std::reverse(polygon.begin(), polygon.end());
     for(std::size_t k = 0; k < polygon.size(); ++k)
     {
       original[faces.polygons[i][k]] = polygon[k];
@@ -186,21 +169,18 @@ std::size_t Mesh_input::find_copies(Faces& faces, const std::vector<Polygon>& be
   std::sort(edges.begin(), edges.end());
   std::vector<bool> is_cut(number_of_points, false);
   for(std::size_t i = 1; i < edges.size(); ++i)
-    if(edges[i] == edges[i - 1])
-      is_cut[edges[i].first] = is_cut[edges[i].second] = true;
+    if(edges[i] == edges[i - 1]) is_cut[edges[i].first] = is_cut[edges[i].second] = true;
   const std::size_t old_copies = faces.copies.size();
   for(std::size_t i = number_of_points; i < original.size(); ++i)
-    if(original[i] != i && !is_cut[original[i]])
-      faces.copies.emplace_back(original[i], static_cast<std::uint32_t>(i));
+    if(original[i] != i && !is_cut[original[i]]) faces.copies.emplace_back(original[i], static_cast<std::uint32_t>(i));
   return faces.copies.size() - old_copies;
 }
 
 bool Mesh_input::is_same(const Polygon& before, const Polygon& after, const std::vector<Point>& points,
-                                std::size_t number_of_points)
+                         std::size_t number_of_points)
 {
   for(std::size_t k = 0; k < before.size(); ++k)
-    if(after[k] != before[k] && !(after[k] >= number_of_points && points[after[k]] == points[before[k]]))
-      return false;
+    if(after[k] != before[k] && !(after[k] >= number_of_points && points[after[k]] == points[before[k]])) return false;
   return true;
 }
 
@@ -210,8 +190,7 @@ bool Mesh_input::make_mesh(Faces& faces)
   std::size_t corners = 0;
   for(const Polygon& polygon : faces.polygons)
   {
-    for(std::uint32_t v : polygon)
-      used[v] = true;
+    for(std::uint32_t v : polygon) used[v] = true;
     corners += polygon.size();
   }
   m_mesh = Mesh();
@@ -219,8 +198,7 @@ bool Mesh_input::make_mesh(Faces& faces)
                  static_cast<Mesh::size_type>(faces.polygons.size()));
   faces.vertices.assign(faces.points.size(), Mesh::null_vertex());
   for(std::size_t i = 0; i < faces.points.size(); ++i)
-    if(used[i])
-      faces.vertices[i] = m_mesh.add_vertex(faces.points[i]);
+    if(used[i]) faces.vertices[i] = m_mesh.add_vertex(faces.points[i]);
   return link_polygons(m_mesh, faces.polygons, faces.vertices) && !has_shared_vertex(m_mesh);
 }
 
@@ -232,8 +210,7 @@ void Mesh_input::drop_repeated_faces(Faces& faces)
   {
     Polygon sorted = faces.polygons[i];
     std::sort(sorted.begin(), sorted.end());
-    if(!seen.insert(std::move(sorted)).second)
-      continue;
+    if(!seen.insert(std::move(sorted)).second) continue;
     std::swap(faces.polygons[kept], faces.polygons[i]);
     std::swap(faces.names[kept], faces.names[i]);
     faces.is_reversed[kept] = faces.is_reversed[i];
@@ -248,8 +225,7 @@ void Mesh_input::drop_repeated_faces(Faces& faces)
 void Mesh_input::merge(const std::vector<Vertex>& double_borders, Faces& faces) const
 {
   std::vector<bool> is_double(m_mesh.number_of_vertices(), false);
-  for(Vertex v : double_borders)
-    is_double[v] = true;
+  for(Vertex v : double_borders) is_double[v] = true;
   std::map<Point, std::uint32_t> at;
   std::vector<std::uint32_t> merged(faces.points.size());
   for(std::uint32_t i = 0; i < merged.size(); ++i)
@@ -260,11 +236,9 @@ void Mesh_input::merge(const std::vector<Vertex>& double_borders, Faces& faces) 
   for(Polygon& polygon : faces.polygons)
   {
     Polygon result = polygon;
-    for(std::uint32_t& v : result)
-      v = merged[v];
+    for(std::uint32_t& v : result) v = merged[v];
     // a face with an edge of length zero keeps its own vertices, and is removed later as degenerate
-    if(!has_repetition(result))
-      polygon = std::move(result);
+    if(!has_repetition(result)) polygon = std::move(result);
   }
 }
 
@@ -290,10 +264,8 @@ void Mesh_input::triangulate(const std::string& path, const Faces& faces)
   namespace PMP = CGAL::Polygon_mesh_processing;
   std::vector<Face> others;
   for(Face f : m_mesh.faces())
-    if(!CGAL::is_triangle(m_mesh.halfedge(f), m_mesh))
-      others.push_back(f);
-  if(others.empty())
-    return;
+    if(!CGAL::is_triangle(m_mesh.halfedge(f), m_mesh)) others.push_back(f);
+  if(others.empty()) return;
   for(Face f : others)
     if(!PMP::triangulate_face(f, m_mesh))
       throw Input_error(quoted(path) + ": face " + std::to_string(faces.positions[f]) + " cannot be triangulated");
@@ -305,14 +277,13 @@ std::string Mesh_input::name_of(Face face) const
   std::vector<std::size_t> file_vertices;
   for(Vertex v : m_mesh.vertices_around_face(m_mesh.halfedge(face)))
   {
-    file_vertices.push_back(static_cast<std::size_t>(
-      std::find(m_first_vertex.begin(), m_first_vertex.end(), v) - m_first_vertex.begin()));
+    file_vertices.push_back(static_cast<std::size_t>(std::find(m_first_vertex.begin(), m_first_vertex.end(), v) -
+                                                     m_first_vertex.begin()));
     for(const auto& entry : m_further_vertices)
-      if(entry.second == v)
-        file_vertices.back() = entry.first;
+      if(entry.second == v) file_vertices.back() = entry.first;
   }
-  return "the face of the vertices " + std::to_string(file_vertices[0]) + ", " + std::to_string(file_vertices[1]) +
-         " and " + std::to_string(file_vertices[2]);
+  return "the face of the vertices " + std::to_string(file_vertices[0]) + ", " + std::to_string(file_vertices[1]) + " and " +
+         std::to_string(file_vertices[2]);
 }
 
 Mesh_input::Vertex_pairs Mesh_input::pairs_of_vertices(const Faces& faces)
@@ -327,16 +298,13 @@ Mesh_input::Vertex_pairs Mesh_input::pairs_of_vertices(const Faces& faces)
 void Mesh_input::renumber_vertices(const std::vector<Vertex>& new_vertex)
 {
   for(Vertex& v : m_first_vertex)
-    if(v != Mesh::null_vertex())
-      v = new_vertex[v];
-  for(auto& entry : m_further_vertices)
-    entry.second = new_vertex[entry.second];
+    if(v != Mesh::null_vertex()) v = new_vertex[v];
+  for(auto& entry : m_further_vertices) entry.second = new_vertex[entry.second];
 }
 
 void Mesh_input::join(const std::string& path, const Vertex_pairs& copies)
 {
-  if(copies.empty())
-    return;
+  if(copies.empty()) return;
   std::vector<Vertex> new_vertex;
   const std::vector<Vertex> shared = join_vertices(m_mesh, copies, new_vertex);
   renumber_vertices(new_vertex);
@@ -347,8 +315,7 @@ void Mesh_input::join(const std::string& path, const Vertex_pairs& copies)
     const bool is_known = m_first_vertex[it->first] == it->second || !known.emplace(it->first, it->second).second;
     it = is_known ? m_further_vertices.erase(it) : std::next(it);
   }
-  if(shared.empty())
-    return;
+  if(shared.empty()) return;
   std::size_t first = m_soup.points.size();
   for(std::size_t i = m_soup.points.size(); i-- > 0;)
     for_each_vertex_of(i, [&](Vertex v) { first = std::binary_search(shared.begin(), shared.end(), v) ? i : first; });
@@ -360,15 +327,13 @@ void Mesh_input::join(const std::string& path, const Vertex_pairs& copies)
 void Mesh_input::remove_faces_without_area(const std::string& path, Vertex_pairs& copies)
 {
   const std::vector<Face> degenerate = degenerate_faces(m_mesh);
-  if(degenerate.empty())
-    return;
+  if(degenerate.empty()) return;
   const std::string first = name_of(degenerate.front());
   std::vector<Vertex> new_vertex;
   if(!remove_degenerate_faces(m_mesh, degenerate, new_vertex))
     throw Input_error(quoted(path) + ": " + first + " has no area and cannot be removed");
   renumber_vertices(new_vertex);
-  for(auto& pair : copies)
-    pair = {new_vertex[pair.first], new_vertex[pair.second]};
+  for(auto& pair : copies) pair = {new_vertex[pair.first], new_vertex[pair.second]};
   m_remarks.push_back(counted(degenerate.size(), "face") + " without area removed (the first is " + first + ")");
 }
 
@@ -376,8 +341,7 @@ void Mesh_input::flip_flat_caps()
 {
   const std::size_t changes = geodesic_offset::flip_flat_caps(m_mesh);
   m_mesh.collect_garbage(); // of faces and edges: all vertices stay
-  if(changes != 0)
-    m_remarks.push_back(counted(changes, "face") + " flatter than rounding removed");
+  if(changes != 0) m_remarks.push_back(counted(changes, "face") + " flatter than rounding removed");
 }
 
 void Mesh_input::require_area_in_doubles(const std::string& path) const
@@ -387,8 +351,8 @@ void Mesh_input::require_area_in_doubles(const std::string& path) const
   {
     const Halfedge h = m_mesh.halfedge(f);
     double lengths[3], x[3], heights[3] = {0, 0, 0};
-    construct_apices(m_mesh.point(m_mesh.source(h)), m_mesh.point(m_mesh.target(h)), m_mesh.point(m_mesh.target(m_mesh.next(h))),
-                     lengths, x, heights);
+    construct_apices(m_mesh.point(m_mesh.source(h)), m_mesh.point(m_mesh.target(h)),
+                     m_mesh.point(m_mesh.target(m_mesh.next(h))), lengths, x, heights);
     if(!(heights[0] > 0 && heights[1] > 0 && heights[2] > 0))
       throw Input_error(quoted(path) + ": the area of " + name_of(f) + " is zero in double precision");
   }

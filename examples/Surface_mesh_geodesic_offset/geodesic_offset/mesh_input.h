@@ -26,14 +26,14 @@ namespace geodesic_offset {
 // The mesh, with its relation to the file.
 class Mesh_input
 {
-  Soup                     m_soup;
-  Mesh                     m_mesh;
+  Soup m_soup;
+  Mesh m_mesh;
   std::vector<std::string> m_remarks;
-  std::string              m_warning;
-  double                   m_diagonal = 0;
+  std::string m_warning;
+  double m_diagonal = 0;
 
   // Vertices of the mesh at a vertex of the file: none if no face uses it, several at a cut.
-  std::vector<Vertex>                m_first_vertex;
+  std::vector<Vertex> m_first_vertex;
   std::multimap<std::size_t, Vertex> m_further_vertices;
 
   // Faces during the construction of the mesh, with the vertices of the file (names) and of the future mesh (polygons).
@@ -41,11 +41,11 @@ class Mesh_input
   struct Faces
   {
     std::vector<std::size_t> positions; // in the file
-    std::vector<Polygon>     names;
-    std::vector<char>        is_reversed; // against the file
-    std::vector<Point>       points;
-    std::vector<Polygon>     polygons;
-    std::vector<Vertex>      vertices; // of the points
+    std::vector<Polygon> names;
+    std::vector<char> is_reversed; // against the file
+    std::vector<Point> points;
+    std::vector<Polygon> polygons;
+    std::vector<Vertex> vertices; // of the points
 
     // Points added so that each has one fan, with the original point. Excludes points added by cuts.
     std::vector<std::pair<std::uint32_t, std::uint32_t>> copies;
@@ -67,7 +67,7 @@ public:
 
   const Soup& soup() const { return m_soup; }
   const Mesh& mesh() const { return m_mesh; }
-  double      bounding_box_diagonal() const { return m_diagonal; }
+  double bounding_box_diagonal() const { return m_diagonal; }
 
   // Description of the changes, one line each.
   const std::vector<std::string>& remarks() const { return m_remarks; }
@@ -78,12 +78,10 @@ public:
   template <class Function>
   void for_each_vertex_of(std::size_t file_vertex, const Function& function) const
   {
-    if(m_first_vertex[file_vertex] == Mesh::null_vertex())
-      return;
+    if(m_first_vertex[file_vertex] == Mesh::null_vertex()) return;
     function(m_first_vertex[file_vertex]);
     const auto range = m_further_vertices.equal_range(file_vertex);
-    for(auto it = range.first; it != range.second; ++it)
-      function(it->second);
+    for(auto it = range.first; it != range.second; ++it) function(it->second);
   }
 
 private:

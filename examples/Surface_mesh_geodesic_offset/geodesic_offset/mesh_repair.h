@@ -35,19 +35,16 @@ inline bool has_shared_vertex(const Mesh& mesh)
   for(Halfedge h : mesh.halfedges())
   {
     ++halfedges[mesh.target(h)];
-    if(mesh.is_border(h))
-      ++borders[mesh.target(h)];
+    if(mesh.is_border(h)) ++borders[mesh.target(h)];
   }
   for(Vertex v : mesh.vertices())
   {
-    if(mesh.is_isolated(v))
-      continue;
+    if(mesh.is_isolated(v)) continue;
     if(borders[v] > 1) // open fans
       return true;
     const Halfedge first = mesh.halfedge(v);
     Halfedge h = first;
-    do
-    {
+    do {
       --halfedges[v];
       h = mesh.opposite(mesh.next(h));
     } while(h != first);
@@ -64,11 +61,9 @@ inline std::vector<Vertex> join_vertices(Mesh& mesh, const std::vector<std::pair
                                          std::vector<Vertex>& new_vertex)
 {
   std::vector<Vertex> joined(mesh.number_of_vertices()); // a forest, whose roots have the smallest indices
-  for(Vertex v : mesh.vertices())
-    joined[v] = v;
+  for(Vertex v : mesh.vertices()) joined[v] = v;
   const auto root = [&](Vertex v) {
-    while(joined[v] != v)
-      v = joined[v] = joined[joined[v]];
+    while(joined[v] != v) v = joined[v] = joined[joined[v]];
     return v;
   };
   for(const std::pair<Vertex, Vertex>& pair : pairs)
@@ -77,16 +72,13 @@ inline std::vector<Vertex> join_vertices(Mesh& mesh, const std::vector<std::pair
     joined[std::max(a, b)] = std::min(a, b);
   }
   auto old_vertex = mesh.add_property_map<Vertex, Vertex>("v:old").first;
-  for(Vertex v : mesh.vertices())
-    old_vertex[v] = v;
-  for(Halfedge h : mesh.halfedges())
-    mesh.set_target(h, root(mesh.target(h)));
+  for(Vertex v : mesh.vertices()) old_vertex[v] = v;
+  for(Halfedge h : mesh.halfedges()) mesh.set_target(h, root(mesh.target(h)));
   std::vector<bool> is_shared(joined.size(), false);
   for(std::size_t i = 0; i < joined.size(); ++i)
   {
     const Vertex v(static_cast<Mesh::size_type>(i));
-    if(joined[v] == v)
-      continue;
+    if(joined[v] == v) continue;
     is_shared[root(v)] = true;
     mesh.remove_vertex(v);
   }
@@ -95,21 +87,18 @@ inline std::vector<Vertex> join_vertices(Mesh& mesh, const std::vector<std::pair
   for(Vertex v : mesh.vertices())
   {
     at[old_vertex[v]] = v;
-    if(is_shared[old_vertex[v]])
-      shared.push_back(v);
+    if(is_shared[old_vertex[v]]) shared.push_back(v);
   }
   mesh.remove_property_map(old_vertex);
   new_vertex.resize(joined.size());
-  for(std::size_t i = 0; i < joined.size(); ++i)
-    new_vertex[i] = at[root(Vertex(static_cast<Mesh::size_type>(i)))];
+  for(std::size_t i = 0; i < joined.size(); ++i) new_vertex[i] = at[root(Vertex(static_cast<Mesh::size_type>(i)))];
   return shared;
 }
 
 inline std::size_t number_of_border_edges(const Mesh& mesh)
 {
   const auto edges = mesh.edges();
-  return static_cast<std::size_t>(
-    std::count_if(edges.begin(), edges.end(), [&](Edge e) { return mesh.is_border(e); }));
+  return static_cast<std::size_t>(std::count_if(edges.begin(), edges.end(), [&](Edge e) { return mesh.is_border(e); }));
 }
 
 // Ends of border edges that coincide with another border edge.
@@ -118,8 +107,8 @@ inline std::vector<Vertex> vertices_of_double_borders(const Mesh& mesh)
   struct Border
   {
     Point p, q;
-    Edge  edge;
-    bool  operator<(const Border& b) const { return p < b.p || (p == b.p && q < b.q); }
+    Edge edge;
+    bool operator<(const Border& b) const { return p < b.p || (p == b.p && q < b.q); }
   };
   std::vector<Border> borders;
   for(Edge e : mesh.edges())
@@ -132,8 +121,7 @@ inline std::vector<Vertex> vertices_of_double_borders(const Mesh& mesh)
   std::vector<Vertex> vertices;
   for(std::size_t i = 0; i < borders.size(); ++i)
     if((i > 0 && !(borders[i - 1] < borders[i])) || (i + 1 < borders.size() && !(borders[i] < borders[i + 1])))
-      for(int end : {0, 1})
-        vertices.push_back(mesh.vertex(borders[i].edge, static_cast<unsigned int>(end)));
+      for(int end : {0, 1}) vertices.push_back(mesh.vertex(borders[i].edge, static_cast<unsigned int>(end)));
   return vertices;
 }
 
@@ -141,8 +129,7 @@ inline std::vector<Face> degenerate_faces(const Mesh& mesh)
 {
   std::vector<Face> faces;
   for(Face f : mesh.faces())
-    if(CGAL::Polygon_mesh_processing::is_degenerate_triangle_face(f, mesh))
-      faces.push_back(f);
+    if(CGAL::Polygon_mesh_processing::is_degenerate_triangle_face(f, mesh)) faces.push_back(f);
   return faces;
 }
 
@@ -172,8 +159,7 @@ inline bool remove_degenerate_faces(Mesh& mesh, const std::vector<Face>& degener
 
   CGAL::Polygon_mesh_processing::remove_degenerate_faces(degenerate, mesh);
   for(Vertex v : mesh.vertices())
-    if(mesh.is_isolated(v))
-      mesh.remove_vertex(v);
+    if(mesh.is_isolated(v)) mesh.remove_vertex(v);
   mesh.collect_garbage();
   if(mesh.number_of_faces() == 0 || has_shared_vertex(mesh) || shape_of(mesh) != shape || !degenerate_faces(mesh).empty())
     return false;
@@ -182,8 +168,7 @@ inline bool remove_degenerate_faces(Mesh& mesh, const std::vector<Face>& degener
   std::map<Point, Vertex> at;
   for(Vertex v : mesh.vertices())
   {
-    if(old_vertex[v] != Mesh::null_vertex())
-      new_vertex[old_vertex[v]] = v;
+    if(old_vertex[v] != Mesh::null_vertex()) new_vertex[old_vertex[v]] = v;
     at.emplace(mesh.point(v), v);
   }
   mesh.remove_property_map(old_vertex);
@@ -191,8 +176,7 @@ inline bool remove_degenerate_faces(Mesh& mesh, const std::vector<Face>& degener
     if(new_vertex[v] == Mesh::null_vertex())
     {
       const auto it = at.find(points[v]);
-      if(it == at.end())
-        return false;
+      if(it == at.end()) return false;
       new_vertex[v] = it->second;
     }
   return true;
@@ -205,10 +189,11 @@ inline bool is_flat_cap(const Mesh& mesh, Face face, Halfedge& longest)
 {
   constexpr double rounding = 0x1p-46; // 64 units in the last place, of sums of some products
   longest = mesh.halfedge(face);
-  const auto square = [&](Halfedge h) { return CGAL::squared_distance(mesh.point(mesh.source(h)), mesh.point(mesh.target(h))); };
+  const auto square = [&](Halfedge h) {
+    return CGAL::squared_distance(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)));
+  };
   for(Halfedge h : mesh.halfedges_around_face(mesh.halfedge(face)))
-    if(square(h) > square(longest))
-      longest = h;
+    if(square(h) > square(longest)) longest = h;
   const Point& p = mesh.point(mesh.source(longest));
   const Point& middle = mesh.point(mesh.target(mesh.next(longest)));
   const Vector along = mesh.point(mesh.target(longest)) - p, to_middle = middle - p;
@@ -225,29 +210,25 @@ inline std::size_t flip_flat_caps(Mesh& mesh)
   std::vector<Face> caps;
   Halfedge longest;
   for(Face f : mesh.faces())
-    if(is_flat_cap(mesh, f, longest))
-      caps.push_back(f);
+    if(is_flat_cap(mesh, f, longest)) caps.push_back(f);
   std::size_t changes = 0;
   // a flip can create another cap, along a row of collinear vertices
   for(const std::size_t most = 8 * caps.size(); !caps.empty() && changes < most;)
   {
     const Face f = caps.back();
     caps.pop_back();
-    if(mesh.is_removed(f) || !is_flat_cap(mesh, f, longest))
-      continue;
+    if(mesh.is_removed(f) || !is_flat_cap(mesh, f, longest)) continue;
     const Halfedge beyond = mesh.opposite(longest);
     const Vertex middle = mesh.target(mesh.next(longest));
     if(mesh.is_border(beyond))
     {
-      if(mesh.is_border(middle) || mesh.number_of_faces() == 1)
-        continue;
+      if(mesh.is_border(middle) || mesh.number_of_faces() == 1) continue;
       CGAL::Euler::remove_face(longest, mesh);
       ++changes;
       continue;
     }
     const Vertex other = mesh.target(mesh.next(beyond));
-    if(other == middle || mesh.halfedge(middle, other) != Mesh::null_halfedge())
-      continue;
+    if(other == middle || mesh.halfedge(middle, other) != Mesh::null_halfedge()) continue;
     CGAL::Euler::flip_edge(longest, mesh);
     ++changes;
     caps.push_back(mesh.face(longest));

@@ -29,8 +29,7 @@ struct Input_error : std::runtime_error
 
 inline bool has_extension(const std::string& path, const std::string& extension)
 {
-  return path.size() > extension.size() &&
-         std::equal(extension.rbegin(), extension.rend(), path.rbegin(), [](char a, char b) {
+  return path.size() > extension.size() && std::equal(extension.rbegin(), extension.rend(), path.rbegin(), [](char a, char b) {
            return a == static_cast<char>(std::tolower(static_cast<unsigned char>(b)));
          });
 }
@@ -39,8 +38,7 @@ inline bool has_extension(const std::string& path, const std::string& extension)
 inline std::string one_line(std::string text)
 {
   for(char& c : text)
-    if(static_cast<unsigned char>(c) < 32 || c == 127)
-      c = ' ';
+    if(static_cast<unsigned char>(c) < 32 || c == 127) c = ' ';
   constexpr std::size_t longest = 500;
   return text.size() > longest ? text.substr(0, longest) + "..." : text;
 }

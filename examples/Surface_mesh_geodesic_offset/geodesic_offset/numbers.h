@@ -26,33 +26,27 @@ inline bool is_digit(char c) { return c >= '0' && c <= '9'; }
 inline bool parse_number(std::string_view word, double& value)
 {
   const bool has_plus = !word.empty() && word.front() == '+';
-  if(has_plus)
-    word.remove_prefix(1);
+  if(has_plus) word.remove_prefix(1);
   // std::from_chars also accepts "nan" and "inf", and "-1" after the plus
-  if(word.empty() || !((word.front() == '-' && !has_plus) || word.front() == '.' || is_digit(word.front())))
-    return false;
+  if(word.empty() || !((word.front() == '-' && !has_plus) || word.front() == '.' || is_digit(word.front()))) return false;
   double number = 0;
   const std::from_chars_result result = std::from_chars(word.data(), word.data() + word.size(), number);
-  if(result.ptr != word.data() + word.size())
-    return false;
+  if(result.ptr != word.data() + word.size()) return false;
   if(result.ec == std::errc::result_out_of_range) // too large or too small; `number` is unchanged
     number = std::strtod(std::string(word).c_str(), nullptr);
   else if(result.ec != std::errc())
     return false;
-  if(!std::isfinite(number))
-    return false;
+  if(!std::isfinite(number)) return false;
   value = number;
   return true;
 }
 
 inline bool parse_index(std::string_view word, std::size_t& value)
 {
-  if(word.empty() || !is_digit(word.front()))
-    return false;
+  if(word.empty() || !is_digit(word.front())) return false;
   std::size_t number = 0;
   const std::from_chars_result result = std::from_chars(word.data(), word.data() + word.size(), number);
-  if(result.ec != std::errc() || result.ptr != word.data() + word.size())
-    return false;
+  if(result.ec != std::errc() || result.ptr != word.data() + word.size()) return false;
   value = number;
   return true;
 }
@@ -66,10 +60,8 @@ bool parse_numbers(const std::string& word, Array& values)
   {
     const std::size_t end = word.find(',', begin);
     const bool last = (i + 1 == values.size());
-    if(last != (end == std::string::npos))
-      return false;
-    if(!parse_number(std::string_view(word).substr(begin, last ? end : end - begin), values[i]))
-      return false;
+    if(last != (end == std::string::npos)) return false;
+    if(!parse_number(std::string_view(word).substr(begin, last ? end : end - begin), values[i])) return false;
     begin = end + 1;
   }
   return true;

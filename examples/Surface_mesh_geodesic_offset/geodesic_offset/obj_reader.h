@@ -22,7 +22,7 @@ namespace internal {
 class Obj_reader
 {
   Text_scanner m_text;
-  Soup&        m_soup;
+  Soup& m_soup;
 
   // The largest vertex index, from 1, with its line and face.
   std::size_t m_largest = 0, m_line_of_largest = 0, m_face_of_largest = 0;
@@ -47,14 +47,11 @@ public:
         m_text.fail("line " + std::to_string(m_text.line()) + " is not text");
     }
     const std::size_t vertices = m_soup.points.size();
-    if(vertices == 0)
-      m_text.fail("the file has no vertices");
-    if(m_soup.polygons.empty())
-      m_text.fail("the file has no faces");
+    if(vertices == 0) m_text.fail("the file has no vertices");
+    if(m_soup.polygons.empty()) m_text.fail("the file has no faces");
     if(m_largest > vertices)
-      m_text.fail_at(m_line_of_largest, face(m_face_of_largest) + " has the vertex index " +
-                                          quoted(std::to_string(m_largest)) + ", but there are " +
-                                          counted(vertices, "vertex", "vertices"));
+      m_text.fail_at(m_line_of_largest, face(m_face_of_largest) + " has the vertex index " + quoted(std::to_string(m_largest)) +
+                                          ", but there are " + counted(vertices, "vertex", "vertices"));
   }
 
 private:
@@ -72,8 +69,7 @@ private:
     m_soup.polygons.emplace_back();
     Polygon& polygon = m_soup.polygons.back();
     polygon.reserve(3);
-    while(!m_text.is_at_line_end())
-      polygon.push_back(read_index());
+    while(!m_text.is_at_line_end()) polygon.push_back(read_index());
     if(polygon.size() < 3)
       m_text.fail_here(face(m_soup.polygons.size() - 1) + " has only " + counted(polygon.size(), "vertex", "vertices"));
   }
@@ -89,11 +85,10 @@ private:
     const bool is_index = parse_index(digits, index);
     if(!is_index || index == 0 || (is_backwards && index > vertices))
       m_text.fail_here(face(m_soup.polygons.size() - 1) + " has the vertex index " + quoted_word(word) +
-                       (is_index && index != 0 ? ", but there are only " + counted(vertices, "vertex", "vertices") +
-                                                   " in front of it"
-                                               : "; a whole number from 1, or from -1 downwards, is expected"));
-    if(is_backwards)
-      return static_cast<std::uint32_t>(vertices - index);
+                       (is_index && index != 0
+                          ? ", but there are only " + counted(vertices, "vertex", "vertices") + " in front of it"
+                          : "; a whole number from 1, or from -1 downwards, is expected"));
+    if(is_backwards) return static_cast<std::uint32_t>(vertices - index);
     if(index > m_largest)
     {
       m_largest = index;

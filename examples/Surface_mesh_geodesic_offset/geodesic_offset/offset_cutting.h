@@ -35,24 +35,20 @@ class Offset_collector
   // per piece of a curve, each of which has at least one point
   static constexpr std::size_t most_points = 20000000;
 
-  double         m_tolerance;
-  bool           m_is_only_drawn;
-  bool           m_keeps_curves;
+  double m_tolerance;
+  bool m_is_only_drawn;
+  bool m_keeps_curves;
   Drawing_check& m_drawing;
-  Level_files&   m_files;
-  Offsets&       m_offsets;
-  std::size_t    m_levels = 0;
-  double         m_distance = 0;
+  Level_files& m_files;
+  Offsets& m_offsets;
+  std::size_t m_levels = 0;
+  double m_distance = 0;
 
 public:
   // is_only_drawn: all outputs are .svg files. keeps_curves: some output needs all curves at once.
   Offset_collector(double tolerance, bool is_only_drawn, bool keeps_curves, Drawing_check& drawing, Level_files& files,
                    Offsets& offsets)
-    : m_tolerance(tolerance),
-      m_is_only_drawn(is_only_drawn),
-      m_keeps_curves(keeps_curves),
-      m_drawing(drawing),
-      m_files(files),
+    : m_tolerance(tolerance), m_is_only_drawn(is_only_drawn), m_keeps_curves(keeps_curves), m_drawing(drawing), m_files(files),
       m_offsets(offsets)
   {
   }
@@ -60,7 +56,7 @@ public:
   Offset_collector& operator=(const Offset_collector&) = delete;
 
   std::size_t number_of_levels() const { return m_levels; }
-  double      distance() const { return m_distance; }
+  double distance() const { return m_distance; }
 
   // Throws Usage_error and Input_error.
   void operator()(double distance, std::vector<Offset_curve>&& curves)
@@ -68,17 +64,14 @@ public:
     ++m_levels;
     m_distance = distance;
     for(const Offset_curve& curve : curves)
-      for(const auto& piece : curve.pieces())
-        m_offsets.points += piece.number_of_chords(m_tolerance);
+      for(const auto& piece : curve.pieces()) m_offsets.points += piece.number_of_chords(m_tolerance);
     if(m_offsets.points > most_points)
       throw Usage_error("the offsets up to distance " + short_number(distance) + " have more than " +
                         std::to_string(most_points) + " points: use fewer distances, or a --tolerance larger than " +
                         short_number(m_tolerance));
     m_drawing.look_at(curves);
-    if(m_is_only_drawn && !m_drawing.problem().empty())
-      throw Input_error(m_drawing.problem());
-    if(!curves.empty())
-      m_offsets.levels.push_back(figures_of(distance, curves));
+    if(m_is_only_drawn && !m_drawing.problem().empty()) throw Input_error(m_drawing.problem());
+    if(!curves.empty()) m_offsets.levels.push_back(figures_of(distance, curves));
     m_files.write(curves);
     if(m_keeps_curves)
       m_offsets.curves.insert(m_offsets.curves.end(), std::make_move_iterator(curves.begin()),
@@ -103,10 +96,10 @@ private:
 // Progress bar of propagation and cutting.
 class Solving_bar
 {
-  const Levels&           m_levels;
+  const Levels& m_levels;
   const Offset_collector& m_collector;
-  double                  m_limit;
-  Progress&               m_progress;
+  double m_limit;
+  Progress& m_progress;
 
 public:
   Solving_bar(const Levels& levels, const Offset_collector& collector, double limit, Progress& progress)
@@ -146,14 +139,14 @@ inline void check_insides(const Sources& sources)
   const std::vector<Surface_polyline>& polylines = sources.surface_polylines();
   for(std::size_t i = 0; i < polylines.size(); ++i)
   {
-    if(!polylines[i].is_closed)
-      throw Input_error(sources.name_of_polyline(i) + ": an open polyline has no inside");
+    if(!polylines[i].is_closed) throw Input_error(sources.name_of_polyline(i) + ": an open polyline has no inside");
     Geodesic alone(sources.mesh());
     alone.add_source_polyline(polylines[i].locations, true);
     try
     {
-      alone.build_with_offset_curves_by_distance(std::vector<double>(), [](double, std::vector<Offset_curve>&&) {},
-                                                 CGAL::parameters::offset_side(CGAL::Offset_side::INSIDE).distance_limit(0.));
+      alone.build_with_offset_curves_by_distance(
+        std::vector<double>(), [](double, std::vector<Offset_curve>&&) {},
+        CGAL::parameters::offset_side(CGAL::Offset_side::INSIDE).distance_limit(0.));
     }
     catch(const std::invalid_argument&)
     {
@@ -197,10 +190,9 @@ Offsets build_and_cut(Geodesic& geodesic, const Sources& sources, const Levels& 
   }
   try
   {
-    geodesic.build_with_offset_curves_by_distance(levels.distances(), collector,
-                                                  parameters.offset_side(options.selection.side)
-                                                    .end_style(options.selection.end)
-                                                    .concurrency_tag(Concurrency_tag()));
+    geodesic.build_with_offset_curves_by_distance(
+      levels.distances(), collector,
+      parameters.offset_side(options.selection.side).end_style(options.selection.end).concurrency_tag(Concurrency_tag()));
   }
   catch(const std::invalid_argument&)
   {

@@ -23,8 +23,7 @@ namespace geodesic_offset {
 // Warning about --side if no source has sides; otherwise empty.
 inline std::string useless_side(const Options& options, const Sources& sources)
 {
-  if(options.selection.side == CGAL::Offset_side::BOTH || sources.has_polylines())
-    return std::string();
+  if(options.selection.side == CGAL::Offset_side::BOTH || sources.has_polylines()) return std::string();
   return "--side " + options.side + " has no effect: only polylines and sections have sides, and there are none";
 }
 
@@ -33,9 +32,9 @@ namespace internal {
 // For example "distance 7", "3 distances from 7 on".
 inline std::string named_distances(const std::vector<double>& distances)
 {
-  return distances.size() == 1 ? "distance " + short_number(distances.front())
-                               : std::to_string(distances.size()) + " distances from " + short_number(distances.front()) +
-                                   " on";
+  return distances.size() == 1
+         ? "distance " + short_number(distances.front())
+         : std::to_string(distances.size()) + " distances from " + short_number(distances.front()) + " on";
 }
 
 } // namespace internal
@@ -48,10 +47,10 @@ inline std::vector<std::string> missing_offsets(const Options& options, const Le
   std::vector<double> before_start, beyond_maximum, beyond_surface, not_selected;
   for(double distance : levels.named())
   {
-    const auto it = std::lower_bound(figures.begin(), figures.end(), distance,
-                                     [](const Level_figures& level, double d) { return level.distance < d; });
-    if(it != figures.end() && it->distance == distance)
-      continue;
+    const auto it = std::lower_bound(figures.begin(), figures.end(), distance, [](const Level_figures& level, double d) {
+      return level.distance < d;
+    });
+    if(it != figures.end() && it->distance == distance) continue;
     if(distance <= start)
       before_start.push_back(distance);
     else if(distance > options.maximum_distance.value_or(infinity))

@@ -28,10 +28,10 @@ namespace geodesic_offset {
 struct Options : Source_options, Level_options, Query_options, Output_options
 {
   std::optional<std::size_t> threads;
-  bool                       stitch = true;
-  bool                       quiet = false;
-  bool                       help = false;
-  bool                       version = false;
+  bool stitch = true;
+  bool quiet = false;
+  bool help = false;
+  bool version = false;
 
   std::vector<std::string> files_written() const
   {
@@ -55,25 +55,28 @@ inline po::options_description options_description()
                               "Exact geodesic distances on a triangle mesh and exact geodesic offsets of curves.\n"
                               "MESH is an .off, .obj, .ply or .stl file");
   po::options_description others("Others");
-  others.add_options()
-    ("no-stitch", po::bool_switch(), "keep border edges at the same place apart")
-    ("threads", po::value<std::string>()->value_name("N"), "work with at most N threads (default: those of the machine)")
-    ("quiet", po::bool_switch(), "print only warnings and errors")
-    ("version", po::bool_switch(), "print the version")
-    ("help", po::bool_switch(), "print this");
-  all.add(source_options_description()).add(level_options_description()).add(query_options_description()).add(output_options_description()).add(others);
+  others.add_options()("no-stitch", po::bool_switch(), "keep border edges at the same place apart")(
+    "threads", po::value<std::string>()->value_name("N"), "work with at most N threads (default: those of the machine)")(
+    "quiet", po::bool_switch(), "print only warnings and errors")("version", po::bool_switch(),
+                                                                  "print the version")("help", po::bool_switch(), "print this");
+  all.add(source_options_description())
+    .add(level_options_description())
+    .add(query_options_description())
+    .add(output_options_description())
+    .add(others);
   return all;
 }
 
 // Throws Usage_error if distances within a tolerance are requested together with something that needs exact ones.
 inline void check_tolerances(const po::variables_map& map, const Options& options)
 {
-  const std::pair<const char*, bool> exact[] = {{"split", !options.split.empty()},
-                                                {"path-from", map.count("path-from") != 0},
-                                                {"path-from-vertex", map.count("path-from-vertex") != 0},
-                                                {"farthest-point", options.farthest_point},
-                                                {"voronoi", !options.voronoi.empty()},
-                                                {"field-details", options.field_details}};
+  const std::pair<const char*, bool> exact[] = {
+    {"split", !options.split.empty()},
+    {"path-from", map.count("path-from") != 0},
+    {"path-from-vertex", map.count("path-from-vertex") != 0},
+    {"farthest-point", options.farthest_point},
+    {"voronoi", !options.voronoi.empty()},
+    {"field-details", options.field_details}};
   for(const char* tolerance : {"relative-tolerance", "merging-tolerance"})
     for(const auto& [option, is_given] : exact)
       if(map.count(tolerance) && is_given)
@@ -99,16 +102,12 @@ inline Options checked_options(const po::variables_map& map)
 
 } // namespace internal
 
-inline void print_help(std::ostream& out)
-{
-  out << internal::options_description() << '\n' << polyline_format_help();
-}
+inline void print_help(std::ostream& out) { out << internal::options_description() << '\n' << polyline_format_help(); }
 
 // Throws Usage_error.
 inline Options parse_options(int argc, const char* const* argv)
 {
-  const boost::program_options::variables_map map =
-    internal::parsed_command_line(argc, argv, internal::options_description());
+  const boost::program_options::variables_map map = internal::parsed_command_line(argc, argv, internal::options_description());
   Options options;
   options.help = map["help"].as<bool>();
   options.version = map["version"].as<bool>();

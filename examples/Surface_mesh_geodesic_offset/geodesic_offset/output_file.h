@@ -42,11 +42,11 @@ namespace internal {
 // Passes bytes on in blocks, and reports their number after each block.
 class Reporting_buffer : public std::streambuf
 {
-  std::streambuf&                            m_target;
+  std::streambuf& m_target;
   const std::function<void(std::uintmax_t)>& m_report;
-  std::uintmax_t                             m_bytes = 0;
-  int                                        m_error = 0;
-  std::array<char, 1 << 16>                  m_block;
+  std::uintmax_t m_bytes = 0;
+  int m_error = 0;
+  std::array<char, 1 << 16> m_block;
 
 public:
   Reporting_buffer(std::streambuf& target, const std::function<void(std::uintmax_t)>& report)
@@ -61,18 +61,15 @@ public:
 protected:
   int_type overflow(int_type c) override
   {
-    if(!hand_on())
-      return traits_type::eof();
+    if(!hand_on()) return traits_type::eof();
     return traits_type::eq_int_type(c, traits_type::eof()) ? traits_type::not_eof(c) : sputc(traits_type::to_char_type(c));
   }
 
   int sync() override
   {
-    if(!hand_on())
-      return -1;
+    if(!hand_on()) return -1;
     errno = 0;
-    if(m_target.pubsync() == 0)
-      return 0;
+    if(m_target.pubsync() == 0) return 0;
     m_error = errno != 0 ? errno : EIO;
     return -1;
   }
@@ -106,10 +103,10 @@ private:
   // A file that is open
   struct Open_file
   {
-    std::filebuf                        file;
+    std::filebuf file;
     std::function<void(std::uintmax_t)> report;
-    internal::Reporting_buffer          buffer;
-    std::ostream                        stream;
+    internal::Reporting_buffer buffer;
+    std::ostream stream;
 
     explicit Open_file(std::function<void(std::uintmax_t)> r) : report(std::move(r)), buffer(file, report), stream(&buffer) {}
   };
@@ -123,13 +120,10 @@ private:
     std::unique_ptr<Open_file> open; // null: complete
   };
 
-  Report             m_report;
+  Report m_report;
   std::vector<Entry> m_entries;
 
-  static std::string reason()
-  {
-    return errno == 0 ? std::string("unknown error") : std::string(std::strerror(errno));
-  }
+  static std::string reason() { return errno == 0 ? std::string("unknown error") : std::string(std::strerror(errno)); }
 
   [[noreturn]] static void fail(const std::string& target, const std::string& why)
   {
@@ -137,14 +131,15 @@ private:
   }
 
 public:
-  explicit Output_files(Report report = [](const std::string&, std::uintmax_t, std::uintmax_t) {}) : m_report(std::move(report)) {}
+  explicit Output_files(Report report = [](const std::string&, std::uintmax_t, std::uintmax_t) {}) : m_report(std::move(report))
+  {
+  }
   Output_files(const Output_files&) = delete;
   Output_files& operator=(const Output_files&) = delete;
 
   ~Output_files()
   {
-    for(const Entry& entry : m_entries)
-      remove(entry.temporary);
+    for(const Entry& entry : m_entries) remove(entry.temporary);
   }
 
   // Checks a target before the long computation.
@@ -155,17 +150,14 @@ public:
     const std::filesystem::file_status status = std::filesystem::status(path, error);
     if(status.type() == std::filesystem::file_type::none) // for example links in a circle
       fail(target, error.message());
-    if(std::filesystem::is_directory(status))
-      fail(target, "it is a directory");
+    if(std::filesystem::is_directory(status)) fail(target, "it is a directory");
     if(std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
       fail(target, "it exists and is not a regular file");
     const std::filesystem::path folder = canonical_path(target).parent_path();
     if(!std::filesystem::is_directory(folder, error))
-      fail(target, "there is no directory " +
-                     quoted(path.has_parent_path() ? path.parent_path().string() : folder.string()));
+      fail(target, "there is no directory " + quoted(path.has_parent_path() ? path.parent_path().string() : folder.string()));
     errno = 0;
-    if(::access(folder.c_str(), W_OK) != 0)
-      fail(target, reason());
+    if(::access(folder.c_str(), W_OK) != 0) fail(target, reason());
   }
 
   // Opens a file that is written in parts, and returns its stream, which is valid until close() of the same target. Progress is
@@ -180,8 +172,7 @@ public:
   {
     const Open_file& open = *entry_of(target).open;
     errno = open.buffer.error();
-    if(!open.stream)
-      fail(target, reason());
+    if(!open.stream) fail(target, reason());
   }
 
   void close(const std::string& target)
@@ -189,8 +180,7 @@ public:
     Entry& entry = entry_of(target);
     entry.open->stream.flush();
     check_stream(target);
-    if(entry.open->file.close() == nullptr)
-      fail(target, reason());
+    if(entry.open->file.close() == nullptr) fail(target, reason());
     entry.open.reset();
   }
 
@@ -220,19 +210,16 @@ public:
     {
       Entry& entry = m_entries[i];
       errno = 0;
-      if(keep_old(entry) && std::rename(entry.temporary.c_str(), entry.file.c_str()) == 0)
-        continue;
+      if(keep_old(entry) && std::rename(entry.temporary.c_str(), entry.file.c_str()) == 0) continue;
       const std::string why = reason();
-      for(std::size_t k = i + 1; k-- > 0;)
-        bring_back(m_entries[k], k < i);
+      for(std::size_t k = i + 1; k-- > 0;) bring_back(m_entries[k], k < i);
       fail(entry.target, why);
     }
     for(Entry& entry : m_entries)
     {
       temporaries.forget(entry.temporary);
       entry.temporary.clear();
-      if(!entry.old.empty())
-        ::unlink(entry.old.c_str());
+      if(!entry.old.empty()) ::unlink(entry.old.c_str());
     }
   }
 
@@ -240,8 +227,7 @@ public:
   std::vector<std::string> targets() const
   {
     std::vector<std::string> targets;
-    for(const Entry& entry : m_entries)
-      targets.push_back(entry.target);
+    for(const Entry& entry : m_entries) targets.push_back(entry.target);
     return targets;
   }
 
@@ -253,8 +239,7 @@ private:
     static std::random_device random;
     static const char digits[] = "0123456789abcdefghijklmnopqrstuvwxyz";
     std::string name = ".part-";
-    for(int i = 0; i < 10; ++i)
-      name += digits[random() % 36];
+    for(int i = 0; i < 10; ++i) name += digits[random() % 36];
     return (std::filesystem::path(file).parent_path() / name).string();
   }
 
@@ -274,15 +259,13 @@ private:
         temporaries.add(name);
         return name;
       }
-      if(errno != EEXIST)
-        fail(entry.target, reason());
+      if(errno != EEXIST) fail(entry.target, reason());
     }
   }
 
   static void remove(const std::string& temporary)
   {
-    if(temporary.empty())
-      return;
+    if(temporary.empty()) return;
     Temporary_files& temporaries = Temporary_files::instance();
     const std::unique_lock<std::mutex> lock = temporaries.lock();
     ::unlink(temporary.c_str());
@@ -305,11 +288,9 @@ private:
       const bool is_linked = ::link(entry.file.c_str(), name.c_str()) == 0;
       if(!is_linked && errno == ENOENT) // a new file
         return true;
-      if(!is_linked && errno == EEXIST)
-        continue;
+      if(!is_linked && errno == EEXIST) continue;
       errno = 0;
-      if(!is_linked && std::rename(entry.file.c_str(), name.c_str()) != 0)
-        return false;
+      if(!is_linked && std::rename(entry.file.c_str(), name.c_str()) != 0) return false;
       entry.old = name;
       return true;
     }

@@ -26,11 +26,11 @@ namespace geodesic_offset {
 
 struct Surface_path
 {
-  std::size_t        query; // index of the point on the command line, vertices first
+  std::size_t query; // index of the point on the command line, vertices first
   std::vector<Point> points;
-  double             distance;
-  std::size_t        source;
-  int                side; // as in .vtk files of offsets
+  double distance;
+  std::size_t source;
+  int side; // as in .vtk files of offsets
 };
 
 // The points from which paths are requested, located on the mesh.
@@ -38,27 +38,25 @@ class Path_queries
 {
   struct Query
   {
-    std::string         name;
+    std::string name;
     std::vector<Vertex> vertices; // those at a vertex of the file; empty: the location
-    Face_location       location;
+    Face_location location;
   };
 
   std::vector<Query> m_queries;
-  Moved_points       m_moved;
+  Moved_points m_moved;
 
 public:
   // Throws Input_error.
   Path_queries(const Mesh_input& input, const Options& options, const Geodesic_mesh& geodesic)
   {
     for(std::size_t i : options.path_vertices)
-      m_queries.push_back({"--path-from-vertex " + std::to_string(i),
-                           vertices_at(input, i, "--path-from-vertex", options.mesh), Face_location()});
+      m_queries.push_back({"--path-from-vertex " + std::to_string(i), vertices_at(input, i, "--path-from-vertex", options.mesh),
+                           Face_location()});
     for(const std::array<double, 3>& p : options.path_points)
     {
-      const std::string name =
-        "--path-from " + short_number(p[0]) + ',' + short_number(p[1]) + ',' + short_number(p[2]);
-      m_queries.push_back(
-        {name, {}, put_on_surface(geodesic, Point(p[0], p[1], p[2]), options, m_moved, [&] { return name; })});
+      const std::string name = "--path-from " + short_number(p[0]) + ',' + short_number(p[1]) + ',' + short_number(p[2]);
+      m_queries.push_back({name, {}, put_on_surface(geodesic, Point(p[0], p[1], p[2]), options, m_moved, [&] { return name; })});
     }
   }
 
@@ -87,8 +85,7 @@ public:
       }
       Vertex nearest = query.vertices.front();
       for(Vertex v : query.vertices)
-        if(geodesic.distance_to_sources(v) < geodesic.distance_to_sources(nearest))
-          nearest = v;
+        if(geodesic.distance_to_sources(v) < geodesic.distance_to_sources(nearest)) nearest = v;
       add(nearest);
     }
     return result;
@@ -100,11 +97,9 @@ namespace internal {
 inline void write_path_vtk(std::ostream& out, const std::vector<Surface_path>& paths)
 {
   write_vtk_lines(out, "geodesic paths", paths);
-  if(paths.empty())
-    return;
+  if(paths.empty()) return;
   out << "CELL_DATA " << paths.size() << "\nSCALARS distance double 1\nLOOKUP_TABLE default\n";
-  for(const Surface_path& path : paths)
-    out << path.distance << '\n';
+  for(const Surface_path& path : paths) out << path.distance << '\n';
   out << "FIELD paths 3\n";
   write_vtk_integers(out, "query", paths, [](const Surface_path& path) { return path.query; });
   write_vtk_integers(out, "source", paths, [](const Surface_path& path) { return path.source; });

@@ -29,26 +29,26 @@ using Polyline = std::vector<Point>;
 // Pixels from left to right and from top to bottom, three bytes each.
 struct Image
 {
-  int                       width = 0;
-  int                       height = 0;
+  int width = 0;
+  int height = 0;
   std::vector<std::uint8_t> bytes;
 };
 
 // Limits of a picture, in pixels. Lines and text have the same size in all pictures.
 struct Picture_size
 {
-  int    width = 1600;
-  int    minimum_height = 700;
-  int    maximum_height = 1600;
+  int width = 1600;
+  int minimum_height = 700;
+  int maximum_height = 1600;
   double margin = 60;
-  bool   has_legend = true;
+  bool has_legend = true;
 };
 
 // Distances: a function of a face and barycentric coordinates, as `Face_distances`, with the largest value.
 template <class Distances>
 class Picture
 {
-  static constexpr int    strip_rows = 32;
+  static constexpr int strip_rows = 32;
   static constexpr double legend_width = 170; // including its distance from the mesh
   static constexpr double offset_radius = 1.0;
   static constexpr double path_radius = 1.7;
@@ -61,18 +61,18 @@ class Picture
     std::array<std::array<float, 3>, 3> n;
   };
 
-  const Mesh&      m_mesh;
+  const Mesh& m_mesh;
   const Distances& m_distances;
-  View             m_view;
-  Color_map        m_colors;
-  Picture_size     m_size;
-  double           m_scale = 1, m_left = 0, m_top = 0, m_depth = 0, m_largest;
-  int              m_height;
+  View m_view;
+  Color_map m_colors;
+  Picture_size m_size;
+  double m_scale = 1, m_left = 0, m_top = 0, m_depth = 0, m_largest;
+  int m_height;
 
-  std::vector<View_point>              m_points;
-  std::vector<Corner_normals>          m_normals;
+  std::vector<View_point> m_points;
+  std::vector<Corner_normals> m_normals;
   std::vector<std::vector<View_point>> m_offsets, m_paths, m_sources;
-  std::vector<View_point>              m_source_points;
+  std::vector<View_point> m_source_points;
 
 public:
   Picture(const Mesh& mesh, const Distances& distances, const View& view)
@@ -87,8 +87,7 @@ public:
   {
     fit(extent);
     m_points.reserve(mesh.number_of_vertices());
-    for(Vertex v : mesh.vertices())
-      m_points.push_back(place(mesh.point(v)));
+    for(Vertex v : mesh.vertices()) m_points.push_back(place(mesh.point(v)));
     compute_normals();
   }
 
@@ -111,13 +110,14 @@ public:
     const Srgb_encoder encode;
     const auto shade = [this](std::uint32_t thing, float u, float v) { return color_of(thing, u, v); };
     // none, outline of the surface, offset, white margin of paths and sources, path, source, text
-    const std::array<Marking, number_of_marks> markings = {{{Color(), 0},
-                                                            {srgb(40, 44, 58), 0.75f},
-                                                            {srgb(24, 22, 40), 0.8f},
-                                                            {srgb(255, 255, 255), 1},
-                                                            {srgb(24, 60, 190), 1},
-                                                            {srgb(226, 24, 54), 1},
-                                                            {ink(), 1}}};
+    const std::array<Marking, number_of_marks> markings = {
+      {{Color(), 0},
+       {srgb(40, 44, 58), 0.75f},
+       {srgb(24, 22, 40), 0.8f},
+       {srgb(255, 255, 255), 1},
+       {srgb(24, 60, 190), 1},
+       {srgb(226, 24, 54), 1},
+       {ink(), 1}}};
     Raster raster(m_size.width);
     for(int first = 0; first < m_height; first += strip_rows)
     {
@@ -126,8 +126,7 @@ public:
       draw_mesh(raster, first, rows);
       draw_curves(raster, first, rows);
       raster.outline(static_cast<float>(0.012 * m_depth));
-      if(m_largest > 0 && m_size.has_legend)
-        draw_legend(raster);
+      if(m_largest > 0 && m_size.has_legend) draw_legend(raster);
       for(int row = first; row < first + rows; ++row)
       {
         const Color behind =
@@ -135,8 +134,7 @@ public:
         for(int column = 0; column < m_size.width; ++column)
         {
           const Color c = raster.pixel(column, row, behind, shade, markings);
-          for(float channel : {c.r, c.g, c.b})
-            image.bytes.push_back(encode(channel));
+          for(float channel : {c.r, c.g, c.b}) image.bytes.push_back(encode(channel));
         }
       }
       report(static_cast<double>(first + rows) / static_cast<double>(m_height));
@@ -152,10 +150,8 @@ private:
 
   Color color_of(std::uint32_t thing, double u, double v) const
   {
-    if(thing == legend_bar)
-      return m_colors(v);
-    if(thing == legend_frame)
-      return ink();
+    if(thing == legend_bar) return m_colors(v);
+    if(thing == legend_frame) return ink();
     const double distance = m_distances(Face(thing), u, v), t = 1 - u - v;
     const Color color = distance < infinity ? m_colors(m_largest > 0 ? distance / m_largest : 0) : srgb(176, 178, 184);
     const auto& n = m_normals[thing].n;
@@ -186,8 +182,7 @@ private:
   {
     std::vector<View_point> points;
     points.reserve(polyline.size());
-    for(const Point& p : polyline)
-      points.push_back(place(p));
+    for(const Point& p : polyline) points.push_back(place(p));
     return points;
   }
 
@@ -216,12 +211,10 @@ private:
         std::array<double, 3> sum{0, 0, 0};
         for(Face g : m_mesh.faces_around_target(h))
         {
-          if(g == Mesh::null_face())
-            continue;
+          if(g == Mesh::null_face()) continue;
           const std::array<double, 3>& m = normal[g];
           if(g == f || n[0] * m[0] + n[1] * m[1] + n[2] * m[2] > cosine_of_crease * length[f] * length[g])
-            for(std::size_t c = 0; c < 3; ++c)
-              sum[c] += m[c];
+            for(std::size_t c = 0; c < 3; ++c) sum[c] += m[c];
         }
         for(std::size_t c = 0; c < 3; ++c)
         {
@@ -241,10 +234,8 @@ private:
   static double power_of_64(double x)
   {
     // avoid very slow arithmetic with denormal numbers
-    if(x < 0.7)
-      return 0;
-    for(int i = 0; i < 6; ++i)
-      x *= x;
+    if(x < 0.7) return 0;
+    for(int i = 0; i < 6; ++i) x *= x;
     return x;
   }
 
@@ -262,8 +253,7 @@ private:
     // halfway between light and viewer
     const double half = std::max(0.0, -0.195 * nx + 0.237 * ny + 0.952 * nz);
     const float shine = static_cast<float>(0.10 * power_of_64(half));
-    if(inside)
-      color = mix(color, Color{0.25f, 0.25f, 0.27f}, 0.45f);
+    if(inside) color = mix(color, Color{0.25f, 0.25f, 0.27f}, 0.45f);
     return static_cast<float>(diffuse) * color + Color{shine, shine, shine};
   }
 
@@ -287,8 +277,7 @@ private:
         if(std::min(line[i][1], line[i + 1][1]) < first + rows + 12 && std::max(line[i][1], line[i + 1][1]) > first - 12)
           raster.line(line[i], line[i + 1], radius, mark, bias(radius));
     };
-    for(const std::vector<View_point>& line : m_offsets)
-      draw(line, offset_radius, Mark::offset);
+    for(const std::vector<View_point>& line : m_offsets) draw(line, offset_radius, Mark::offset);
     for(const std::vector<View_point>& line : m_paths)
     {
       draw(line, path_radius + halo, Mark::halo);
@@ -316,8 +305,7 @@ private:
     const double step = tick_step(m_largest);
     std::vector<double> ticks;
     for(int i = 0; i * step < m_largest; ++i)
-      if(m_largest - i * step > 0.6 * step)
-        ticks.push_back(i * step);
+      if(m_largest - i * step > 0.6 * step) ticks.push_back(i * step);
     ticks.push_back(m_largest);
     for(double tick : ticks)
     {
@@ -335,8 +323,7 @@ private:
   {
     const double power = std::pow(10.0, std::floor(std::log10(largest)));
     for(double step : {0.1, 0.2, 0.25, 0.5})
-      if(largest / (step * power) <= 7)
-        return step * power;
+      if(largest / (step * power) <= 7) return step * power;
     return power;
   }
 

@@ -34,11 +34,9 @@ inline View view_of(const Options& options, const Mesh& mesh, const Sources& sou
     return View::normalized(Vector(v[0], v[1], v[2]) / std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])}));
   };
   const Vector up = options.up ? vector(*options.up) : Vector(0, 1, 0);
-  if(options.view)
-    return View(vector(*options.view), up);
+  if(options.view) return View(vector(*options.view), up);
   std::vector<Point> points = sources.points();
-  for(const Polyline& polyline : sources.polylines())
-    points.insert(points.end(), polyline.begin(), polyline.end());
+  for(const Polyline& polyline : sources.polylines()) points.insert(points.end(), polyline.begin(), polyline.end());
   return choose_view(mesh, points, up);
 }
 
@@ -50,8 +48,10 @@ Face_distances face_distances(Geodesic& geodesic, const Mesh& mesh, const Option
   if(!distances.need_windows() || options.needs_windows()) return distances;
   if(geodesic.statistics().windows_propagated > most_kept_windows)
   {
-    progress.warning("the colours of " + quoted(options.picture) + " are interpolated inside the large faces of the mesh: "
-                     "with " + std::to_string(geodesic.statistics().windows_propagated) +
+    progress.warning("the colours of " + quoted(options.picture) +
+                     " are interpolated inside the large faces of the mesh: "
+                     "with " +
+                     std::to_string(geodesic.statistics().windows_propagated) +
                      " windows, exact ones would take too much memory");
     distances.interpolate_everywhere();
     return distances;
@@ -61,10 +61,11 @@ Face_distances face_distances(Geodesic& geodesic, const Mesh& mesh, const Option
     return true;
   };
   geodesic.build(CGAL::parameters::distance_limit(options.maximum_distance.value_or(infinity))
-                                    .keep_windows(true)
-                                    .relative_tolerance(options.relative_tolerance)
-                                    .merging_tolerance(options.merging_tolerance)
-                                    .visitor(show).concurrency_tag(Concurrency_tag()));
+                   .keep_windows(true)
+                   .relative_tolerance(options.relative_tolerance)
+                   .merging_tolerance(options.merging_tolerance)
+                   .visitor(show)
+                   .concurrency_tag(Concurrency_tag()));
   return distances;
 }
 
@@ -77,21 +78,17 @@ Image picture_of(Geodesic& geodesic, const Mesh& mesh, const Sources& sources, c
                  const std::vector<Offset_curve>& curves, const std::vector<Surface_path>& paths, double largest,
                  Progress& progress)
 {
-  const Face_distances distances =
-    internal::face_distances<Concurrency_tag>(geodesic, mesh, options, largest, progress);
+  const Face_distances distances = internal::face_distances<Concurrency_tag>(geodesic, mesh, options, largest, progress);
   Picture picture(mesh, distances, internal::view_of(options, mesh, sources));
-  for(const Point& point : sources.points())
-    picture.add_source(point);
-  for(const Polyline& polyline : sources.polylines())
-    picture.add_source(polyline);
+  for(const Point& point : sources.points()) picture.add_source(point);
+  for(const Polyline& polyline : sources.polylines()) picture.add_source(polyline);
   for(const Offset_curve& curve : curves)
   {
     Polyline polyline;
     curve.points(picture.chord_tolerance(), std::back_inserter(polyline));
     picture.add_offset(polyline);
   }
-  for(const Surface_path& path : paths)
-    picture.add_path(path.points);
+  for(const Surface_path& path : paths) picture.add_path(path.points);
   return picture.render([&](double done) { progress.show("picture", done); });
 }
 

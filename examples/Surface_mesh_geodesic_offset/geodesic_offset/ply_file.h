@@ -28,14 +28,14 @@ enum class Ply_type { int8, uint8, int16, uint16, int32, uint32, float32, float6
 inline std::optional<Ply_type> ply_type(std::string_view name)
 {
   constexpr std::pair<std::string_view, Ply_type> names[] = {
-    {"char", Ply_type::int8},    {"int8", Ply_type::int8},     {"uchar", Ply_type::uint8},   {"uint8", Ply_type::uint8},
-    {"short", Ply_type::int16},  {"int16", Ply_type::int16},   {"ushort", Ply_type::uint16}, {"uint16", Ply_type::uint16},
-    {"int", Ply_type::int32},    {"int32", Ply_type::int32},   {"uint", Ply_type::uint32},   {"uint32", Ply_type::uint32},
-    {"float", Ply_type::float32}, {"float32", Ply_type::float32}, {"double", Ply_type::float64},
+    {"char", Ply_type::int8},      {"int8", Ply_type::int8},       {"uchar", Ply_type::uint8},
+    {"uint8", Ply_type::uint8},    {"short", Ply_type::int16},     {"int16", Ply_type::int16},
+    {"ushort", Ply_type::uint16},  {"uint16", Ply_type::uint16},   {"int", Ply_type::int32},
+    {"int32", Ply_type::int32},    {"uint", Ply_type::uint32},     {"uint32", Ply_type::uint32},
+    {"float", Ply_type::float32},  {"float32", Ply_type::float32}, {"double", Ply_type::float64},
     {"float64", Ply_type::float64}};
   for(const auto& entry : names)
-    if(entry.first == name)
-      return entry.second;
+    if(entry.first == name) return entry.second;
   return std::nullopt;
 }
 
@@ -45,8 +45,10 @@ inline std::size_t size_of(Ply_type type)
 {
   switch(type)
   {
-  case Ply_type::int8: case Ply_type::uint8: return 1;
-  case Ply_type::int16: case Ply_type::uint16: return 2;
+  case Ply_type::int8:
+  case Ply_type::uint8: return 1;
+  case Ply_type::int16:
+  case Ply_type::uint16: return 2;
   case Ply_type::float64: return 8;
   default: return 4;
   }
@@ -71,9 +73,9 @@ inline double read_number(Byte_scanner& bytes, Ply_type type)
 
 struct Ply_property
 {
-  std::string             name;
-  std::string             type_name; // as in the header, like "list uchar int"
-  Ply_type                type = Ply_type::float32; // for a list: type of its items
+  std::string name;
+  std::string type_name; // as in the header, like "list uchar int"
+  Ply_type type = Ply_type::float32; // for a list: type of its items
   std::optional<Ply_type> count_type; // for a list
 
   bool is_list() const { return count_type.has_value(); }
@@ -81,8 +83,8 @@ struct Ply_property
 
 struct Ply_element
 {
-  std::string               name;
-  std::size_t               number = 0;
+  std::string name;
+  std::size_t number = 0;
   std::vector<Ply_property> properties;
 
   bool is_vertex() const { return name == "vertex" || name == "vertices"; }
@@ -91,9 +93,9 @@ struct Ply_element
   // Index of a property, or the number of properties if the name does not exist.
   std::size_t find(std::string_view property) const
   {
-    return static_cast<std::size_t>(
-      std::find_if(properties.begin(), properties.end(), [&](const Ply_property& p) { return p.name == property; }) -
-      properties.begin());
+    return static_cast<std::size_t>(std::find_if(properties.begin(), properties.end(),
+                                                 [&](const Ply_property& p) { return p.name == property; }) -
+                                    properties.begin());
   }
 
   bool has(std::string_view property) const { return find(property) < properties.size(); }
@@ -107,27 +109,24 @@ struct Ply_element
 //   bool reads(std::size_t property)                           whether it uses a property
 class Ply_file
 {
-  std::string_view            m_bytes;
-  Text_scanner                m_text;
-  bool                        m_is_ascii = false, m_is_big_endian = false;
-  bool                        m_has_vertices = false, m_has_faces = false;
-  std::vector<Ply_element>    m_elements;
+  std::string_view m_bytes;
+  Text_scanner m_text;
+  bool m_is_ascii = false, m_is_big_endian = false;
+  bool m_has_vertices = false, m_has_faces = false;
+  std::vector<Ply_element> m_elements;
   std::optional<Byte_scanner> m_data; // for binary files
 
 public:
   // Reads the header. Throws Input_error.
   Ply_file(const std::string& path, std::string_view bytes) : m_bytes(bytes), m_text(path, bytes, Text_style::plain)
   {
-    if(!m_text.find_word() || m_text.word() != "ply" || !m_text.is_at_line_end())
-      fail("the file does not begin with ply");
+    if(!m_text.find_word() || m_text.word() != "ply" || !m_text.is_at_line_end()) fail("the file does not begin with ply");
     bool has_format = false;
     for(;;)
     {
-      if(!m_text.find_word_on_next_line())
-        fail("the file ends within its header");
+      if(!m_text.find_word_on_next_line()) fail("the file ends within its header");
       const std::string_view keyword = m_text.word();
-      if(keyword == "end_header")
-        break;
+      if(keyword == "end_header") break;
       if(keyword == "format")
       {
         read_format();
@@ -139,16 +138,14 @@ public:
         read_property();
       else if(keyword != "comment" && keyword != "obj_info")
         m_text.fail_here(quoted_word(keyword) + " is none of the words of a header: format, element, property, comment, "
-                         "obj_info and end_header");
+                                                "obj_info and end_header");
     }
-    if(!has_format)
-      fail("the header has no format");
+    if(!has_format) fail("the header has no format");
     for(const Ply_element& element : m_elements)
       if(element.properties.empty() && element.number != 0)
         fail("the element " + quoted_word(element.name) + " has no properties");
     m_text.next_line();
-    if(!m_is_ascii)
-      m_data.emplace(m_bytes.substr(m_text.position()), m_is_big_endian);
+    if(!m_is_ascii) m_data.emplace(m_bytes.substr(m_text.position()), m_is_big_endian);
   }
 
   const std::vector<Ply_element>& elements() const { return m_elements; }
@@ -161,8 +158,7 @@ public:
   // Number of bytes after the last row; trailing blanks of a text do not count.
   std::size_t number_of_bytes_left()
   {
-    if(m_data)
-      return m_data->remaining();
+    if(m_data) return m_data->remaining();
     return m_text.find_word() ? m_text.remaining() : 0;
   }
 
@@ -225,23 +221,18 @@ private:
 
   void read_property()
   {
-    if(m_elements.empty())
-      m_text.fail_here("misplaced property: no element stands in front of it");
+    if(m_elements.empty()) m_text.fail_here("misplaced property: no element stands in front of it");
     std::vector<std::string> words;
     while(!m_text.is_at_line_end() && words.size() < 5) // a list has four
       words.emplace_back(m_text.word());
-    if(words.size() < 2)
-      m_text.fail_here("the type and the name of a property are expected behind 'property'");
+    if(words.size() < 2) m_text.fail_here("the type and the name of a property are expected behind 'property'");
     Ply_property property;
     property.name = words.back();
     words.pop_back();
-    for(const std::string& word : words)
-      property.type_name += (property.type_name.empty() ? "" : " ") + word;
+    for(const std::string& word : words) property.type_name += (property.type_name.empty() ? "" : " ") + word;
     const bool is_list = words[0] == "list";
-    const std::optional<Ply_type> type =
-      words.size() == (is_list ? 3 : 1) ? ply_type(words.back()) : std::optional<Ply_type>();
-    if(is_list && type)
-      property.count_type = ply_type(words[1]);
+    const std::optional<Ply_type> type = words.size() == (is_list ? 3 : 1) ? ply_type(words.back()) : std::optional<Ply_type>();
+    if(is_list && type) property.count_type = ply_type(words[1]);
     if(!type || (is_list && (!property.count_type || is_real(*property.count_type))))
       m_text.fail_here("the property " + quoted_word(property.name) + " has the unknown type " +
                        quoted_word(property.type_name));
@@ -252,15 +243,16 @@ private:
   static std::size_t smallest_row(const Ply_element& element)
   {
     std::size_t size = 0;
-    for(const Ply_property& property : element.properties)
-      size += size_of(property.count_type.value_or(property.type));
+    for(const Ply_property& property : element.properties) size += size_of(property.count_type.value_or(property.type));
     return size;
   }
 
   [[noreturn]] void fail_missing(const Ply_element& element, std::size_t row) const
   {
-    fail(missing(element.is_vertex() ? "vertices" : element.is_face() ? "faces" : "elements '" + element.name + "'", row,
-                 element.number));
+    fail(missing(element.is_vertex() ? "vertices"
+                 : element.is_face() ? "faces"
+                                     : "elements '" + element.name + "'",
+                 row, element.number));
   }
 
   [[noreturn]] void fail_in_row(const Ply_element& element, std::size_t row, const std::string& text) const
@@ -280,25 +272,22 @@ private:
       std::size_t items = 1;
       if(property.is_list())
       {
-        if(bytes.remaining() < size_of(*property.count_type))
-          fail_missing(element, row);
+        if(bytes.remaining() < size_of(*property.count_type)) fail_missing(element, row);
         const double size = read_number(bytes, *property.count_type);
         if(size < 0)
-          fail_in_row(element, row, "has a list " + quoted_word(property.name) + " of " +
-                                      std::to_string(static_cast<std::int64_t>(size)) + " numbers");
+          fail_in_row(element, row,
+                      "has a list " + quoted_word(property.name) + " of " + std::to_string(static_cast<std::int64_t>(size)) +
+                        " numbers");
         items = static_cast<std::size_t>(size);
       }
-      if(bytes.remaining() / item_size < items)
-        fail_missing(element, row);
+      if(bytes.remaining() / item_size < items) fail_missing(element, row);
       if(!reader.reads(p))
       {
         bytes.skip(items * item_size);
         continue;
       }
-      if(property.is_list())
-        reader.begin_list(p, items);
-      for(std::size_t i = 0; i < items; ++i)
-        reader.number(p, read_number(bytes, property.type));
+      if(property.is_list()) reader.begin_list(p, items);
+      for(std::size_t i = 0; i < items; ++i) reader.number(p, read_number(bytes, property.type));
     }
   }
 
@@ -306,8 +295,7 @@ private:
   template <class Row_reader>
   void read_text_row(const Ply_element& element, std::size_t row, Row_reader& reader)
   {
-    if(!m_text.find_word())
-      fail_missing(element, row);
+    if(!m_text.find_word()) fail_missing(element, row);
     reader.begin_row(row);
     for(std::size_t p = 0; p < element.properties.size(); ++p)
     {
@@ -321,21 +309,18 @@ private:
       if(property.is_list())
       {
         if(!m_text.read(items))
-          fail_in_row(element, row, "has a list " + quoted_word(property.name) + " of " + quoted_word(m_text.word()) +
-                                      " numbers");
-        if(reader.reads(p))
-          reader.begin_list(p, std::min(items, m_text.remaining() / 2 + 1));
+          fail_in_row(element, row,
+                      "has a list " + quoted_word(property.name) + " of " + quoted_word(m_text.word()) + " numbers");
+        if(reader.reads(p)) reader.begin_list(p, std::min(items, m_text.remaining() / 2 + 1));
       }
       for(std::size_t i = 0; i < items; ++i)
       {
         require_word();
         const std::string_view word = m_text.word();
-        if(reader.reads(p))
-          reader.word(p, word);
+        if(reader.reads(p)) reader.word(p, word);
       }
     }
-    if(!m_text.is_at_line_end())
-      fail_in_row(element, row, "has more numbers than the header announces");
+    if(!m_text.is_at_line_end()) fail_in_row(element, row, "has more numbers than the header announces");
     m_text.next_line();
   }
 };

@@ -22,19 +22,19 @@ namespace internal {
 
 class Ply_reader
 {
-  Ply_file    m_file;
-  Soup&       m_soup;
+  Ply_file m_file;
+  Soup& m_soup;
   std::size_t m_vertices = 0; // as announced
 
   // Reader of the vertex rows.
   class Vertex_rows
   {
     const Ply_reader& m_reader;
-    Soup&             m_soup;
-    std::size_t       m_columns[3];
-    std::size_t       m_row = 0;
-    std::size_t       m_found = 0;
-    double            m_coordinates[3] = {0, 0, 0};
+    Soup& m_soup;
+    std::size_t m_columns[3];
+    std::size_t m_row = 0;
+    std::size_t m_found = 0;
+    double m_coordinates[3] = {0, 0, 0};
 
   public:
     Vertex_rows(const Ply_reader& reader, Soup& soup, const Ply_element& vertices)
@@ -57,20 +57,16 @@ class Ply_reader
 
     void number(std::size_t property, double value)
     {
-      if(!std::isfinite(value))
-        fail(std::isnan(value) ? "nan" : "inf");
+      if(!std::isfinite(value)) fail(std::isnan(value) ? "nan" : "inf");
       for(std::size_t c = 0; c < 3; ++c)
-        if(m_columns[c] == property)
-          m_coordinates[c] = value;
-      if(++m_found == 3)
-        m_soup.points.emplace_back(m_coordinates[0], m_coordinates[1], m_coordinates[2]);
+        if(m_columns[c] == property) m_coordinates[c] = value;
+      if(++m_found == 3) m_soup.points.emplace_back(m_coordinates[0], m_coordinates[1], m_coordinates[2]);
     }
 
     void word(std::size_t property, std::string_view word)
     {
       double value = 0;
-      if(!parse_number(word, value))
-        fail(word);
+      if(!parse_number(word, value)) fail(word);
       number(property, value);
     }
 
@@ -86,8 +82,8 @@ class Ply_reader
   class Face_rows
   {
     const Ply_reader& m_reader;
-    Soup&             m_soup;
-    std::size_t       m_column;
+    Soup& m_soup;
+    std::size_t m_column;
 
   public:
     Face_rows(const Ply_reader& reader, Soup& soup, std::size_t column) : m_reader(reader), m_soup(soup), m_column(column) {}
@@ -111,8 +107,7 @@ class Ply_reader
     void word(std::size_t, std::string_view word)
     {
       std::size_t index = 0;
-      if(!parse_index(word, index) || index >= m_reader.m_vertices)
-        fail(word);
+      if(!parse_index(word, index) || index >= m_reader.m_vertices) fail(word);
       m_soup.polygons.back().push_back(static_cast<std::uint32_t>(index));
     }
 
@@ -157,8 +152,7 @@ private:
   const Ply_element& element(bool (Ply_element::*is_it)() const, const std::string& name) const
   {
     for(const Ply_element& e : m_file.elements())
-      if((e.*is_it)() && e.number != 0)
-        return e;
+      if((e.*is_it)() && e.number != 0) return e;
     m_file.fail("its header announces no " + name);
   }
 
@@ -166,8 +160,7 @@ private:
   {
     for(const char* coordinate : {"x", "y", "z"})
     {
-      if(!vertices.has(coordinate))
-        m_file.fail("its vertices have no property " + std::string(coordinate));
+      if(!vertices.has(coordinate)) m_file.fail("its vertices have no property " + std::string(coordinate));
       const Ply_property& property = vertices.properties[vertices.find(coordinate)];
       if(property.is_list())
         m_file.fail("the property " + quoted(coordinate) + " of its vertices has the type " + quoted(property.type_name) +
@@ -179,8 +172,7 @@ private:
   {
     for(const char* name : {"vertex_indices", "vertex_index"})
     {
-      if(!faces.has(name))
-        continue;
+      if(!faces.has(name)) continue;
       const Ply_property& property = faces.properties[faces.find(name)];
       if(!property.is_list() || is_real(property.type))
         m_file.fail("the property " + quoted(name) + " of its faces has the type " + quoted(property.type_name) +

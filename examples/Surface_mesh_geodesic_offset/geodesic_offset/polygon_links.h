@@ -26,7 +26,7 @@ struct Polygon_side
 {
   std::uint32_t low, high; // the ends, sorted
   std::uint32_t number;
-  bool          is_reversed; // from high to low
+  bool is_reversed; // from high to low
 
   bool operator<(const Polygon_side& s) const { return std::tie(low, high, number) < std::tie(s.low, s.high, s.number); }
   bool has_edge_of(const Polygon_side& s) const { return low == s.low && high == s.high; }
@@ -38,12 +38,10 @@ constexpr std::uint32_t no_side = std::numeric_limits<std::uint32_t>::max();
 inline void sort_sides(std::vector<Polygon_side>& sides, std::size_t number_of_vertices)
 {
   std::vector<std::size_t> end_of(number_of_vertices + 1, 0); // of the range before that of a vertex; later of its own range
-  for(const Polygon_side& side : sides)
-    ++end_of[side.low + 1];
+  for(const Polygon_side& side : sides) ++end_of[side.low + 1];
   std::partial_sum(end_of.begin(), end_of.end(), end_of.begin());
   std::vector<Polygon_side> sorted(sides.size());
-  for(const Polygon_side& side : sides)
-    sorted[end_of[side.low]++] = side;
+  for(const Polygon_side& side : sides) sorted[end_of[side.low]++] = side;
   std::size_t first = 0;
   for(std::size_t v = 0; v < number_of_vertices; first = end_of[v++])
     std::sort(sorted.begin() + static_cast<std::ptrdiff_t>(first), sorted.begin() + static_cast<std::ptrdiff_t>(end_of[v]));
@@ -60,10 +58,8 @@ inline bool find_opposite_sides(std::vector<Polygon_side>& sides, std::size_t nu
   for(std::size_t i = 1; i < sides.size(); ++i)
   {
     const Polygon_side &a = sides[i - 1], &b = sides[i];
-    if(!a.has_edge_of(b))
-      continue;
-    if(a.is_reversed == b.is_reversed || opposite[a.number] != no_side)
-      return false;
+    if(!a.has_edge_of(b)) continue;
+    if(a.is_reversed == b.is_reversed || opposite[a.number] != no_side) return false;
     opposite[a.number] = b.number;
     opposite[b.number] = a.number;
   }
@@ -85,8 +81,7 @@ inline bool link_polygons(Mesh& mesh, const std::vector<Polygon>& polygons, cons
       sides.push_back({std::min(a, b), std::max(a, b), static_cast<std::uint32_t>(sides.size()), b < a});
     }
   std::vector<std::uint32_t> opposite;
-  if(!internal::find_opposite_sides(sides, at.size(), opposite))
-    return false;
+  if(!internal::find_opposite_sides(sides, at.size(), opposite)) return false;
 
   std::vector<Halfedge> halfedges(sides.size(), Mesh::null_halfedge());
   std::size_t first = 0; // side of the polygon
@@ -103,8 +98,7 @@ inline bool link_polygons(Mesh& mesh, const std::vector<Polygon>& polygons, cons
       mesh.set_face(halfedges[first + k], face);
       mesh.set_halfedge(at[polygon[(k + 1) % n]], halfedges[first + k]);
     }
-    for(std::size_t k = 0; k < n; ++k)
-      mesh.set_next(halfedges[first + k], halfedges[first + (k + 1) % n]);
+    for(std::size_t k = 0; k < n; ++k) mesh.set_next(halfedges[first + k], halfedges[first + (k + 1) % n]);
     mesh.set_halfedge(face, halfedges[first + n - 1]);
     first += n;
   }
@@ -112,8 +106,7 @@ inline bool link_polygons(Mesh& mesh, const std::vector<Polygon>& polygons, cons
     if(mesh.is_border(h))
     {
       Halfedge next = mesh.opposite(h); // turned around the target of h until it has no face
-      while(!mesh.is_border(next))
-        next = mesh.opposite(mesh.prev(next));
+      while(!mesh.is_border(next)) next = mesh.opposite(mesh.prev(next));
       mesh.set_next(h, next);
       mesh.set_halfedge(mesh.target(h), h); // as Surface_mesh requires of vertices on the border
     }

@@ -20,7 +20,7 @@ namespace geodesic_offset {
 
 struct File_polyline
 {
-  std::size_t        line = 0;
+  std::size_t line = 0;
   std::vector<Point> points;
 };
 
@@ -55,8 +55,7 @@ inline std::vector<File_polyline> parse_polylines(const std::string& path, std::
     if(!parse_index(announced, n) || n == 0)
       throw Input_error(where + quoted_word(announced) + " is not a number of points" + internal::polyline_format_hint());
     std::vector<std::string_view> words;
-    while(!text.is_at_line_end())
-      words.push_back(text.word());
+    while(!text.is_at_line_end()) words.push_back(text.word());
     if(words.size() / 3 != n || words.size() % 3 != 0)
       throw Input_error(where + announced.substr(0, 40) + " points need three coordinates each, there are " +
                         counted(words.size(), "number") + internal::polyline_format_hint());
@@ -72,8 +71,7 @@ inline std::vector<File_polyline> parse_polylines(const std::string& path, std::
       polylines.back().points.emplace_back(c[0], c[1], c[2]);
     }
   }
-  if(polylines.empty())
-    throw Input_error(quoted(path) + " has no polylines");
+  if(polylines.empty()) throw Input_error(quoted(path) + " has no polylines");
   return polylines;
 }
 

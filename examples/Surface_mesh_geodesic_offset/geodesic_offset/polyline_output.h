@@ -21,8 +21,7 @@ void write_polylines(std::ostream& out, const std::vector<Polyline>& polylines)
   for(const Polyline& polyline : polylines)
   {
     out << polyline.points.size();
-    for(const Point& p : polyline.points)
-      out << ' ' << p;
+    for(const Point& p : polyline.points) out << ' ' << p;
     out << '\n';
   }
 }
@@ -45,18 +44,15 @@ void write_vtk_lines(std::ostream& out, const char* title, const std::vector<Pol
   }
   out << "# vtk DataFile Version 3.0\n" << title << "\nASCII\nDATASET POLYDATA\nPOINTS " << points << " double\n";
   for(const Polyline& polyline : polylines)
-    for(std::size_t i = 0; i < number_of_points(polyline); ++i)
-      out << polyline.points[i] << '\n';
-  if(polylines.empty())
-    return;
+    for(std::size_t i = 0; i < number_of_points(polyline); ++i) out << polyline.points[i] << '\n';
+  if(polylines.empty()) return;
   out << "LINES " << polylines.size() << ' ' << polylines.size() + indices << '\n';
   std::size_t first = 0;
   for(const Polyline& polyline : polylines)
   {
     const std::size_t n = number_of_points(polyline);
     out << number_of_indices(polyline);
-    for(std::size_t i = 0; i < number_of_indices(polyline); ++i)
-      out << ' ' << first + i % n;
+    for(std::size_t i = 0; i < number_of_indices(polyline); ++i) out << ' ' << first + i % n;
     out << '\n';
     first += n;
   }
@@ -67,8 +63,7 @@ template <class Polyline, class Value>
 void write_vtk_integers(std::ostream& out, const char* name, const std::vector<Polyline>& polylines, const Value& value)
 {
   out << name << " 1 " << polylines.size() << " int\n";
-  for(const Polyline& polyline : polylines)
-    out << value(polyline) << '\n';
+  for(const Polyline& polyline : polylines) out << value(polyline) << '\n';
 }
 
 } // namespace geodesic_offset

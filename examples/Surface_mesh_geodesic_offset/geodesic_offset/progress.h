@@ -26,23 +26,20 @@ class Stopwatch
   std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();
 
 public:
-  double seconds() const
-  {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - m_start).count();
-  }
+  double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - m_start).count(); }
 };
 
 class Progress
 {
-  static constexpr double      interval = 0.1; // seconds between updates of the bar
+  static constexpr double interval = 0.1; // seconds between updates of the bar
   static constexpr std::size_t columns = 79; // fits into a terminal of 80; a wrapped line could not be erased
   static constexpr std::size_t bar_columns = 25;
 
-  bool        m_quiet;
-  bool        m_has_bar; // standard error is a terminal, and not --quiet
+  bool m_quiet;
+  bool m_has_bar; // standard error is a terminal, and not --quiet
   std::size_t m_shown = 0; // characters of the bar on the terminal
   std::string m_step;
-  Stopwatch   m_since_shown;
+  Stopwatch m_since_shown;
 
 public:
   // Quiet: only warnings.
@@ -56,8 +53,7 @@ public:
   void line(const std::string& text)
   {
     erase();
-    if(m_quiet)
-      return;
+    if(m_quiet) return;
     std::cout << text << '\n';
     check_standard_output();
   }
@@ -79,15 +75,13 @@ public:
   // Step of unknown length.
   void show(const std::string& step, const std::string& detail = "")
   {
-    if(is_time_for(step))
-      put(step + (detail.empty() ? " ..." : "  " + detail));
+    if(is_time_for(step)) put(step + (detail.empty() ? " ..." : "  " + detail));
   }
 
   // `done`: completed fraction of the step.
   void show(const std::string& step, double done, const std::string& detail = "")
   {
-    if(!is_time_for(step))
-      return;
+    if(!is_time_for(step)) return;
     const double part = std::min(std::max(done, 0.0), 1.0);
     const std::size_t filled = static_cast<std::size_t>(part * bar_columns);
     char percent[16];
@@ -100,8 +94,7 @@ private:
   // A new step is shown immediately.
   bool is_time_for(const std::string& step)
   {
-    if(!m_has_bar || (step == m_step && m_shown != 0 && m_since_shown.seconds() < interval))
-      return false;
+    if(!m_has_bar || (step == m_step && m_shown != 0 && m_since_shown.seconds() < interval)) return false;
     m_step = step;
     m_since_shown = Stopwatch();
     return true;
@@ -118,8 +111,7 @@ private:
 
   void erase()
   {
-    if(m_shown != 0)
-      std::cerr << '\r' << std::string(m_shown, ' ') << '\r' << std::flush;
+    if(m_shown != 0) std::cerr << '\r' << std::string(m_shown, ' ') << '\r' << std::flush;
     m_shown = 0;
   }
 };

@@ -18,10 +18,10 @@ namespace geodesic_offset {
 
 struct Query_options
 {
-  std::vector<std::size_t>           path_vertices;
+  std::vector<std::size_t> path_vertices;
   std::vector<std::array<double, 3>> path_points;
-  std::vector<std::string>           path_outputs;
-  bool                               farthest_point = false;
+  std::vector<std::string> path_outputs;
+  bool farthest_point = false;
 
   bool has_paths() const { return !path_vertices.empty() || !path_points.empty(); }
 };
@@ -32,18 +32,17 @@ inline po::options_description query_options_description()
 {
   const auto words = [](const char* name) { return po::value<Words>()->value_name(name); };
   po::options_description queries("Queries");
-  queries.add_options()
-    ("path-from", words("X,Y,Z"), "the shortest path from the nearest point of the surface to the nearest source (repeatable)")
-    ("path-from-vertex", words("I"), "the same from a vertex of the mesh, counted from 0 (repeatable)")
-    ("path-output", words("FILE"), "the paths as .polylines.txt or .vtk (repeatable); --picture shows them, too")
-    ("farthest-point", po::bool_switch(), "print the farthest point and its distance, and write them to --stats");
+  queries.add_options()("path-from", words("X,Y,Z"),
+                        "the shortest path from the nearest point of the surface to the nearest source (repeatable)")(
+    "path-from-vertex", words("I"), "the same from a vertex of the mesh, counted from 0 (repeatable)")(
+    "path-output", words("FILE"), "the paths as .polylines.txt or .vtk (repeatable); --picture shows them, too")(
+    "farthest-point", po::bool_switch(), "print the farthest point and its distance, and write them to --stats");
   return queries;
 }
 
 inline void read_query_options(const po::variables_map& map, Query_options& options)
 {
-  for(const std::string& w : option_words(map, "path-from"))
-    options.path_points.push_back(numbers<3>("path-from", w));
+  for(const std::string& w : option_words(map, "path-from")) options.path_points.push_back(numbers<3>("path-from", w));
   options.path_vertices = indices(map, "path-from-vertex");
   options.path_outputs = option_words(map, "path-output");
   options.farthest_point = map["farthest-point"].as<bool>();

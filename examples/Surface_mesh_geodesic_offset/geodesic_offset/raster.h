@@ -43,19 +43,16 @@ private:
   // would be wasted.
   struct Sample
   {
-    float         depth = nothing;
+    float depth = nothing;
     std::uint32_t thing = 0;
-    float         u = 0, v = 0;
-    Mark          mark = Mark::none;
+    float u = 0, v = 0;
+    Mark mark = Mark::none;
 
     bool is_nothing() const { return depth == nothing; }
-    bool is_same_thing(const Sample& s) const
-    {
-      return is_nothing() ? s.is_nothing() : !s.is_nothing() && s.thing == thing;
-    }
+    bool is_same_thing(const Sample& s) const { return is_nothing() ? s.is_nothing() : !s.is_nothing() && s.thing == thing; }
   };
 
-  int                 m_width, m_first_row = 0, m_rows = 0;
+  int m_width, m_first_row = 0, m_rows = 0;
   std::vector<Sample> m_samples;
 
 public:
@@ -73,8 +70,7 @@ public:
   void triangle(const View_point& a, const View_point& b, const View_point& c, std::uint32_t thing)
   {
     const double area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
-    if(!(std::abs(area) > 0))
-      return;
+    if(!(std::abs(area) > 0)) return;
     const double scale = 1 / area;
     const int y0 = first_row(std::min({a[1], b[1], c[1]})), y1 = last_row(std::max({a[1], b[1], c[1]}));
     const int x0 = first_column(std::min({a[0], b[0], c[0]})), x1 = last_column(std::max({a[0], b[0], c[0]}));
@@ -88,8 +84,7 @@ public:
         const double px = position(x) - a[0];
         const double u = (px * (c[1] - a[1]) - py * (c[0] - a[0])) * scale;
         const double v = ((b[0] - a[0]) * py - (b[1] - a[1]) * px) * scale;
-        if(u < -epsilon || v < -epsilon || u + v > 1 + epsilon)
-          continue;
+        if(u < -epsilon || v < -epsilon || u + v > 1 + epsilon) continue;
         const float depth = static_cast<float>(a[2] + u * (b[2] - a[2]) + v * (c[2] - a[2]));
         Sample& s = at(x, y);
         if(depth > s.depth)
@@ -107,8 +102,7 @@ public:
   void line(const View_point& a, const View_point& b, double radius, Mark mark, double bias)
   {
     stroke(a, b, radius, [&](Sample& s, double depth) {
-      if(mark > s.mark && depth >= static_cast<double>(s.depth) - bias)
-        s.mark = mark;
+      if(mark > s.mark && depth >= static_cast<double>(s.depth) - bias) s.mark = mark;
     });
   }
 
@@ -137,8 +131,7 @@ public:
   {
     constexpr int reach = 3;
     const auto is_front = [&](const Sample& s, int x, int y) {
-      if(x < 0 || x >= m_width || y < m_first_row || y >= m_first_row + m_rows)
-        return false;
+      if(x < 0 || x >= m_width || y < m_first_row || y >= m_first_row + m_rows) return false;
       return s.depth - at(x, y).depth > jump;
     };
     for(int y = m_first_row + margin; y < m_first_row + m_rows - margin; ++y)
@@ -159,8 +152,8 @@ public:
     struct Seen
     {
       const Sample* first;
-      float         number, u, v; // sums over the samples
-      float         own; // weight of the thing's colour, in samples
+      float number, u, v; // sums over the samples
+      float own; // weight of the thing's colour, in samples
     };
     std::array<Seen, samples * samples> seen;
     std::size_t n = 0;
@@ -173,10 +166,8 @@ public:
         const float own = s.mark == Mark::none ? 1.0f : 1 - marking.opacity;
         sum = sum + (1 - own) * marking.color;
         std::size_t i = 0;
-        while(i < n && !seen[i].first->is_same_thing(s))
-          ++i;
-        if(i == n)
-          seen[n++] = {&s, 0, 0, 0, 0};
+        while(i < n && !seen[i].first->is_same_thing(s)) ++i;
+        if(i == n) seen[n++] = {&s, 0, 0, 0, 0};
         seen[i].number += 1;
         seen[i].u += s.u;
         seen[i].v += s.v;
@@ -204,8 +195,7 @@ private:
         const double px = position(x) - a[0], py = position(y) - a[1];
         const double t = square > 0 ? std::min(std::max((px * dx + py * dy) / square, 0.0), 1.0) : 0.0;
         const double ex = px - t * dx, ey = py - t * dy;
-        if(ex * ex + ey * ey <= radius * radius)
-          draw(at(x, y), a[2] + t * (b[2] - a[2]));
+        if(ex * ex + ey * ey <= radius * radius) draw(at(x, y), a[2] + t * (b[2] - a[2]));
       }
   }
 

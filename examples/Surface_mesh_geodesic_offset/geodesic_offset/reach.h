@@ -29,26 +29,22 @@ inline double edge_length(const Mesh& mesh, Halfedge h)
 class Incoming_halfedges
 {
   std::vector<std::size_t> m_begin;
-  std::vector<Halfedge>    m_halfedges;
+  std::vector<Halfedge> m_halfedges;
 
 public:
   explicit Incoming_halfedges(const Mesh& mesh)
     : m_begin(mesh.number_of_vertices() + 1, 0), m_halfedges(mesh.number_of_halfedges())
   {
-    for(Halfedge h : mesh.halfedges())
-      ++m_begin[mesh.target(h) + 1];
-    for(std::size_t v = 1; v < m_begin.size(); ++v)
-      m_begin[v] += m_begin[v - 1];
+    for(Halfedge h : mesh.halfedges()) ++m_begin[mesh.target(h) + 1];
+    for(std::size_t v = 1; v < m_begin.size(); ++v) m_begin[v] += m_begin[v - 1];
     std::vector<std::size_t> end(m_begin.begin(), m_begin.end() - 1);
-    for(Halfedge h : mesh.halfedges())
-      m_halfedges[end[mesh.target(h)]++] = h;
+    for(Halfedge h : mesh.halfedges()) m_halfedges[end[mesh.target(h)]++] = h;
   }
 
   template <class Function>
   void for_each(Vertex v, const Function& f) const
   {
-    for(std::size_t i = m_begin[v]; i < m_begin[v + 1]; ++i)
-      f(m_halfedges[i]);
+    for(std::size_t i = m_begin[v]; i < m_begin[v + 1]; ++i) f(m_halfedges[i]);
   }
 };
 
@@ -59,8 +55,7 @@ inline std::vector<double> distances_along_edges(const Mesh& mesh, const Sources
   std::vector<double> distances(mesh.number_of_vertices(), infinity);
   std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
   const auto reach = [&](Vertex v, double distance) {
-    if(!(distance < distances[v]))
-      return;
+    if(!(distance < distances[v])) return;
     distances[v] = distance;
     queue.emplace(distance, v);
   };
@@ -70,8 +65,7 @@ inline std::vector<double> distances_along_edges(const Mesh& mesh, const Sources
   {
     const Entry nearest = queue.top();
     queue.pop();
-    if(nearest.first > distances[nearest.second])
-      continue;
+    if(nearest.first > distances[nearest.second]) continue;
     incoming.for_each(nearest.second, [&](Halfedge h) { reach(mesh.source(h), nearest.first + edge_length(mesh, h)); });
   }
   return distances;
@@ -93,8 +87,7 @@ inline double bound_of_reach(const Mesh& mesh, const Sources& sources)
       const double longer = std::max(internal::edge_length(mesh, h), internal::edge_length(mesh, mesh.next(h)));
       bound = std::min(bound, distances[mesh.target(h)] + longer);
     }
-    if(bound < infinity)
-      reach = std::max(reach, bound);
+    if(bound < infinity) reach = std::max(reach, bound);
   }
   return reach;
 }

@@ -14,15 +14,15 @@
 
 namespace geodesic_offset {
 
-using Kernel  = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Point   = Kernel::Point_3;
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point = Kernel::Point_3;
 using Polygon = std::vector<std::uint32_t>;
 
 // Vertices and faces in the order of the file.
 struct Soup
 {
-  std::vector<Point>       points;
-  std::vector<Polygon>     polygons;
+  std::vector<Point> points;
+  std::vector<Polygon> polygons;
   std::vector<std::string> remarks; // parts of the file that were left out, one line each
 };
 

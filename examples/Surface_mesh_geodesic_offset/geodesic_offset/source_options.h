@@ -23,12 +23,12 @@ struct Source_options
 {
   std::string mesh;
 
-  std::vector<std::size_t>             source_vertices;
-  std::vector<std::array<double, 3>>   source_points;
-  std::vector<std::string>             source_polylines;
-  std::vector<std::array<double, 4>>   source_planes;
-  std::vector<double>                  source_sharp_edges;
-  bool                                 source_boundary = false;
+  std::vector<std::size_t> source_vertices;
+  std::vector<std::array<double, 3>> source_points;
+  std::vector<std::string> source_polylines;
+  std::vector<std::array<double, 4>> source_planes;
+  std::vector<double> source_sharp_edges;
+  bool source_boundary = false;
   std::optional<std::array<double, 3>> projection; // direction in which points are put on the surface
   std::optional<std::array<double, 3>> boundary_near; // only the nearest boundary cycle
   std::optional<std::array<double, 3>> section_near; // only the nearest curve of each section
@@ -51,21 +51,24 @@ inline po::options_description source_options_description()
   const auto words = [](const char* name) { return po::value<Words>()->value_name(name); };
   const auto word = [](const char* name) { return po::value<std::string>()->value_name(name); };
   po::options_description sources("Sources (repeatable, in any mix)");
-  sources.add_options()
-    ("source-vertex", words("I"), "vertex of the mesh, counted from 0 in the order of the file")
-    ("source-point", words("X,Y,Z"), "nearest point of the surface")
-    ("source-polyline", words("FILE"), "polylines in a .polylines.txt file (see below); each point goes to the nearest point "
-                                       "of the surface, consecutive points are joined by the shortest path on the surface")
-    ("source-plane", words("A,B,C,D"), "section of the mesh by the plane A x + B y + C z + D = 0")
-    ("section-near", word("X,Y,Z"), "with --source-plane: only the curve of each section that is nearest to this point")
-    ("source-boundary", po::bool_switch(), "all boundary edges")
-    ("boundary-near", word("X,Y,Z"), "with --source-boundary: only the boundary cycle that is nearest to this point")
-    ("source-sharp-edges", words("DEG"), "all edges where the normals of the two faces differ by more than DEG degrees")
-    ("sharp-edges-near", word("X,Y,Z"), "with --source-sharp-edges: only the chain of these edges that is nearest to this point; "
-                                      "it ends where other than two of the edges meet")
-    ("start-value", words("I,S"), "distances from source I, numbered as in .vtk files of offsets, begin at S instead of 0")
-    ("project", word("X,Y,Z"), "put points on the surface along this direction, forwards or backwards, instead of to the nearest "
-                             "point");
+  sources.add_options()("source-vertex", words("I"), "vertex of the mesh, counted from 0 in the order of the file")(
+    "source-point", words("X,Y,Z"),
+    "nearest point of the surface")("source-polyline", words("FILE"),
+                                    "polylines in a .polylines.txt file (see below); each point goes to the nearest point "
+                                    "of the surface, consecutive points are joined by the shortest path on the surface")(
+    "source-plane", words("A,B,C,D"), "section of the mesh by the plane A x + B y + C z + D = 0")(
+    "section-near", word("X,Y,Z"), "with --source-plane: only the curve of each section that is nearest to this point")(
+    "source-boundary", po::bool_switch(),
+    "all boundary edges")("boundary-near", word("X,Y,Z"),
+                          "with --source-boundary: only the boundary cycle that is nearest to this point")(
+    "source-sharp-edges", words("DEG"), "all edges where the normals of the two faces differ by more than DEG degrees")(
+    "sharp-edges-near", word("X,Y,Z"),
+    "with --source-sharp-edges: only the chain of these edges that is nearest to this point; "
+    "it ends where other than two of the edges meet")(
+    "start-value", words("I,S"), "distances from source I, numbered as in .vtk files of offsets, begin at S instead of 0")(
+    "project", word("X,Y,Z"),
+    "put points on the surface along this direction, forwards or backwards, instead of to the nearest "
+    "point");
   return sources;
 }
 
@@ -76,15 +79,13 @@ inline std::string mesh_option(const po::variables_map& map)
   double number = 0;
   for(const std::string& mesh : meshes)
     if(parse_number(mesh, number))
-      throw Usage_error("the number " + quoted(mesh) + " belongs to no option; the numbers of one option are separated by "
+      throw Usage_error("the number " + quoted(mesh) +
+                        " belongs to no option; the numbers of one option are separated by "
                         "commas without blanks, as in --source-plane 0,0,1,0");
   for(const std::string& mesh : meshes)
-    if(mesh.empty() || mesh[0] == '-')
-      throw Usage_error("unknown option " + quoted(mesh));
-  if(meshes.empty())
-    throw Usage_error("no MESH given (--help lists the options)");
-  if(meshes.size() > 1)
-    throw Usage_error("more than one MESH given: " + quoted(meshes[0]) + " and " + quoted(meshes[1]));
+    if(mesh.empty() || mesh[0] == '-') throw Usage_error("unknown option " + quoted(mesh));
+  if(meshes.empty()) throw Usage_error("no MESH given (--help lists the options)");
+  if(meshes.size() > 1) throw Usage_error("more than one MESH given: " + quoted(meshes[0]) + " and " + quoted(meshes[1]));
   return meshes[0];
 }
 
@@ -93,8 +94,7 @@ inline void read_source_options(const po::variables_map& map, Source_options& op
   options.mesh = mesh_option(map);
 
   options.source_vertices = indices(map, "source-vertex");
-  for(const std::string& w : option_words(map, "source-point"))
-    options.source_points.push_back(numbers<3>("source-point", w));
+  for(const std::string& w : option_words(map, "source-point")) options.source_points.push_back(numbers<3>("source-point", w));
   options.source_polylines = option_words(map, "source-polyline");
   for(const std::string& w : option_words(map, "source-plane"))
   {
@@ -112,11 +112,9 @@ inline void read_source_options(const po::variables_map& map, Source_options& op
   }
   options.source_boundary = map["source-boundary"].as<bool>();
   options.section_near = optional_point(map, "section-near");
-  if(options.section_near && options.source_planes.empty())
-    throw Usage_error("--section-near needs --source-plane");
+  if(options.section_near && options.source_planes.empty()) throw Usage_error("--section-near needs --source-plane");
   options.boundary_near = optional_point(map, "boundary-near");
-  if(options.boundary_near && !options.source_boundary)
-    throw Usage_error("--boundary-near needs --source-boundary");
+  if(options.boundary_near && !options.source_boundary) throw Usage_error("--boundary-near needs --source-boundary");
   options.sharp_edges_near = optional_point(map, "sharp-edges-near");
   if(options.sharp_edges_near && options.source_sharp_edges.empty())
     throw Usage_error("--sharp-edges-near needs --source-sharp-edges");

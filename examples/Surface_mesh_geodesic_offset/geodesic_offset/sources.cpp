@@ -25,8 +25,7 @@ void keep_nearest(std::vector<Curve>& curves, const std::array<double, 3>& near,
   for(std::size_t i = 0; i < curves.size(); ++i)
     for_each_segment(curves[i], [&](const Point& start, const Point& end) {
       const double distance = CGAL::squared_distance(point, Kernel::Segment_3(start, end));
-      if(distance < least)
-        nearest = i;
+      if(distance < least) nearest = i;
       least = std::min(least, distance);
     });
   curves = std::vector<Curve>{curves[nearest]};
@@ -42,11 +41,10 @@ std::vector<Edge> nearest_chain(const Mesh& mesh, const std::vector<Edge>& edges
   };
   std::unordered_map<Vertex, std::vector<Edge>> edges_at;
   for(Edge e : edges)
-    for(unsigned i : {0u, 1u})
-      edges_at[mesh.vertex(e, i)].push_back(e);
+    for(unsigned i : {0u, 1u}) edges_at[mesh.vertex(e, i)].push_back(e);
 
-  const Edge first = *std::min_element(edges.begin(), edges.end(),
-                                       [&](Edge a, Edge b) { return squared_distance(a) < squared_distance(b); });
+  const Edge first =
+    *std::min_element(edges.begin(), edges.end(), [&](Edge a, Edge b) { return squared_distance(a) < squared_distance(b); });
   std::vector<Edge> chain{first};
   for(unsigned i : {0u, 1u})
   {
@@ -70,8 +68,7 @@ Face_location put_on_surface(const Geodesic_mesh& mesh, const Point& point, cons
                              const std::function<std::string()>& name)
 {
   // squares of lengths must be within the range of double
-  if(!std::isfinite((point - CGAL::ORIGIN).squared_length()))
-    throw Input_error(name() + " is too far away from the surface");
+  if(!std::isfinite((point - CGAL::ORIGIN).squared_length())) throw Input_error(name() + " is too far away from the surface");
   if(!options.projection)
   {
     const std::pair<Face_location, double> located = mesh.locate_with_distance(point);
@@ -88,17 +85,14 @@ Face_location put_on_surface(const Geodesic_mesh& mesh, const Point& point, cons
     {
       const Point on_surface = CGAL::Polygon_mesh_processing::construct_point(*hit, mesh.triangle_mesh());
       const double distance = CGAL::squared_distance(point, on_surface);
-      if(distance < least)
-        nearest = hit;
+      if(distance < least) nearest = hit;
       least = std::min(least, distance);
     }
-  if(!nearest)
-    throw Input_error(name() + ": the line along --project through this point misses the surface");
+  if(!nearest) throw Input_error(name() + ": the line along --project through this point misses the surface");
   return *nearest;
 }
 
-std::vector<Vertex> vertices_at(const Mesh_input& input, std::size_t i, const std::string& option,
-                                const std::string& mesh_file)
+std::vector<Vertex> vertices_at(const Mesh_input& input, std::size_t i, const std::string& option, const std::string& mesh_file)
 {
   const std::size_t n = input.soup().points.size();
   if(i >= n)
@@ -124,24 +118,18 @@ Sources::Sources(const Mesh_input& input, const Source_options& options, const G
       return "--source-point " + short_number(p[0]) + ',' + short_number(p[1]) + ',' + short_number(p[2]);
     }));
   for(const std::string& file : options.source_polylines)
-    for(const File_polyline& polyline : read_polylines(file))
-      add_polyline(polyline, file, options);
-  for(const std::array<double, 4>& plane : options.source_planes)
-    add_plane(plane, options);
-  if(options.source_boundary)
-    add_boundary(options);
-  for(double degrees : options.source_sharp_edges)
-    add_sharp_edges(degrees, options);
+    for(const File_polyline& polyline : read_polylines(file)) add_polyline(polyline, file, options);
+  for(const std::array<double, 4>& plane : options.source_planes) add_plane(plane, options);
+  if(options.source_boundary) add_boundary(options);
+  for(double degrees : options.source_sharp_edges) add_sharp_edges(degrees, options);
   set_start_values(options);
 }
 
 std::vector<Point> Sources::points() const
 {
   std::vector<Point> points;
-  for(Vertex v : m_vertices)
-    points.push_back(m_mesh.point(v));
-  for(const Face_location& location : m_points)
-    points.push_back(point_of(location));
+  for(Vertex v : m_vertices) points.push_back(m_mesh.point(v));
+  for(const Face_location& location : m_points) points.push_back(point_of(location));
   return points;
 }
 
@@ -151,14 +139,10 @@ std::vector<std::vector<Point>> Sources::polylines() const
   for(const Surface_polyline& polyline : m_polylines)
   {
     polylines.emplace_back();
-    for(const Face_location& location : polyline.locations)
-      polylines.back().push_back(point_of(location));
-    if(polyline.is_closed)
-      polylines.back().push_back(polylines.back().front());
+    for(const Face_location& location : polyline.locations) polylines.back().push_back(point_of(location));
+    if(polyline.is_closed) polylines.back().push_back(polylines.back().front());
   }
-  for_each_edge([&](Edge e) {
-    polylines.push_back({m_mesh.point(m_mesh.vertex(e, 0)), m_mesh.point(m_mesh.vertex(e, 1))});
-  });
+  for_each_edge([&](Edge e) { polylines.push_back({m_mesh.point(m_mesh.vertex(e, 0)), m_mesh.point(m_mesh.vertex(e, 1))}); });
   return polylines;
 }
 
@@ -177,9 +161,9 @@ void Sources::add_polyline(const File_polyline& from, const std::string& file, c
   for(std::size_t i = 0; i < n; ++i)
   {
     const bool last_of_closed = polyline.is_closed && i + 1 == n;
-    const Face_location location = last_of_closed ? polyline.locations.front()
-                                                  : put_on_surface(m_geodesic, from.points[i], options, m_moved,
-                                                                   [&] { return line + ": " + name(i); });
+    const Face_location location =
+      last_of_closed ? polyline.locations.front()
+                     : put_on_surface(m_geodesic, from.points[i], options, m_moved, [&] { return line + ": " + name(i); });
     if(polyline.locations.empty())
     {
       polyline.locations.push_back(location);
@@ -197,10 +181,8 @@ void Sources::add_polyline(const File_polyline& from, const std::string& file, c
     }
   }
   // in closed polylines the first location is not repeated
-  if(polyline.is_closed && polyline.locations.size() > 1)
-    polyline.locations.pop_back();
-  if(polyline.locations.size() < 3)
-    polyline.is_closed = false;
+  if(polyline.is_closed && polyline.locations.size() > 1) polyline.locations.pop_back();
+  if(polyline.locations.size() < 3) polyline.is_closed = false;
   if(polyline.locations.size() == 1)
     m_points.push_back(polyline.locations.front());
   else
@@ -221,7 +203,7 @@ void Sources::add_plane(const std::array<double, 4>& plane, const Source_options
                            short_number(plane[2]) + ',' + short_number(plane[3]);
   if(section.polylines.empty() && section.touched_edges.empty() && section.touched_vertices.empty())
     throw Input_error(name + (section.number_of_faces_in_plane == 0 ? " misses " + quoted(mesh_file)
-                                              : " contains all of " + quoted(mesh_file)));
+                                                                    : " contains all of " + quoted(mesh_file)));
   if(section.number_of_faces_in_plane != 0)
     m_remarks.push_back(counted(section.number_of_faces_in_plane, "face") +
                         " in the plane of a section: the border of this part of the surface is the source");
@@ -237,22 +219,18 @@ void Sources::add_plane(const std::array<double, 4>& plane, const Source_options
     section.touched_edges.clear();
     section.touched_vertices.clear();
   }
-  for(Surface_polyline& polyline : section.polylines)
-    add(std::move(polyline), name + " on " + quoted(mesh_file));
-  if(!section.touched_edges.empty())
-    m_edges.push_back(std::move(section.touched_edges));
+  for(Surface_polyline& polyline : section.polylines) add(std::move(polyline), name + " on " + quoted(mesh_file));
+  if(!section.touched_edges.empty()) m_edges.push_back(std::move(section.touched_edges));
   m_vertices.insert(m_vertices.end(), section.touched_vertices.begin(), section.touched_vertices.end());
 }
 
 void Sources::add_boundary(const Source_options& options)
 {
   m_boundary_cycles = m_geodesic.boundary_edges();
-  if(m_boundary_cycles.empty())
-    throw Input_error("--source-boundary: " + quoted(options.mesh) + " has no boundary");
+  if(m_boundary_cycles.empty()) throw Input_error("--source-boundary: " + quoted(options.mesh) + " has no boundary");
   if(options.boundary_near)
     keep_nearest(m_boundary_cycles, *options.boundary_near, [&](const std::vector<Edge>& cycle, const auto& f) {
-      for(Edge e : cycle)
-        f(m_mesh.point(m_mesh.vertex(e, 0)), m_mesh.point(m_mesh.vertex(e, 1)));
+      for(Edge e : cycle) f(m_mesh.point(m_mesh.vertex(e, 0)), m_mesh.point(m_mesh.vertex(e, 1)));
     });
 }
 
@@ -263,21 +241,19 @@ void Sources::add_sharp_edges(double degrees, const Source_options& options)
   if(edges.empty())
     throw Input_error("--source-sharp-edges " + short_number(degrees) + ": " + quoted(options.mesh) +
                       " has no edge with a larger angle");
-  if(options.sharp_edges_near)
-    edges = nearest_chain(m_mesh, edges, *options.sharp_edges_near);
+  if(options.sharp_edges_near) edges = nearest_chain(m_mesh, edges, *options.sharp_edges_near);
   m_edges.push_back(std::move(edges));
 }
 
 void Sources::set_start_values(const Source_options& options)
 {
-  const std::size_t n =
-    m_vertices.size() + m_points.size() + m_polylines.size() + m_boundary_cycles.size() + m_edges.size();
+  const std::size_t n = m_vertices.size() + m_points.size() + m_polylines.size() + m_boundary_cycles.size() + m_edges.size();
   m_start_values.assign(n, 0);
   for(const auto& [source, value] : options.start_values)
   {
     if(source >= n)
-      throw Input_error("--start-value " + std::to_string(source) + ',' + short_number(value) + ": there are only the sources 0 to " +
-                        std::to_string(n - 1));
+      throw Input_error("--start-value " + std::to_string(source) + ',' + short_number(value) +
+                        ": there are only the sources 0 to " + std::to_string(n - 1));
     m_start_values[source] = value;
   }
 }

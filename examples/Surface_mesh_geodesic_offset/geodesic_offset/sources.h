@@ -31,7 +31,7 @@ class Moved_points
   static constexpr double most = 0.01;
 
   std::size_t m_number = 0;
-  double      m_largest = 0;
+  double m_largest = 0;
   std::string m_farthest; // the point with the largest distance
 
 public:
@@ -40,8 +40,7 @@ public:
   void add(double distance, const Name& name)
   {
     ++m_number;
-    if(!(distance > m_largest))
-      return;
+    if(!(distance > m_largest)) return;
     m_largest = distance;
     m_farthest = name();
   }
@@ -56,10 +55,10 @@ public:
   // Empty if all points were near the surface.
   std::string warning(double diagonal) const
   {
-    if(!(m_largest > most * diagonal))
-      return std::string();
+    if(!(m_largest > most * diagonal)) return std::string();
     const double part = m_largest / diagonal;
-    const std::string compared = part < 1 ? short_number(std::round(1000 * part) / 10) + " % of" : short_number(part) + " times";
+    const std::string compared =
+      part < 1 ? short_number(std::round(1000 * part) / 10) + " % of" : short_number(part) + " times";
     return m_farthest + " is " + short_number(m_largest) + " away from the surface, " + compared +
            " the diagonal of its bounding box; does it have the unit of the mesh?";
   }
@@ -76,19 +75,19 @@ std::vector<Vertex> vertices_at(const Mesh_input& input, std::size_t i, const st
 
 class Sources
 {
-  const Mesh_input&       m_input;
-  const Mesh&             m_mesh;
-  const Geodesic_mesh&    m_geodesic; // for locating points
+  const Mesh_input& m_input;
+  const Mesh& m_mesh;
+  const Geodesic_mesh& m_geodesic; // for locating points
 
-  std::vector<Vertex>           m_vertices;
-  std::vector<Face_location>    m_points;
+  std::vector<Vertex> m_vertices;
+  std::vector<Face_location> m_points;
   std::vector<Surface_polyline> m_polylines;
-  std::vector<std::string>      m_polyline_names;
+  std::vector<std::string> m_polyline_names;
   std::vector<std::vector<Edge>> m_boundary_cycles; // empty: not a source
   std::vector<std::vector<Edge>> m_edges;
-  std::vector<std::string>      m_remarks;
-  std::vector<double>           m_start_values; // of all sources
-  Moved_points                  m_moved;
+  std::vector<std::string> m_remarks;
+  std::vector<double> m_start_values; // of all sources
+  Moved_points m_moved;
 
 public:
   Sources(const Mesh_input& input, const Source_options& options, const Geodesic_mesh& geodesic);
@@ -99,16 +98,12 @@ public:
   {
     std::size_t number = 0;
     const auto start = [&] { return CGAL::parameters::start_value(m_start_values[number++]); };
-    for(Vertex v : m_vertices)
-      geodesic.add_source_point(v, start());
-    for(const Face_location& location : m_points)
-      geodesic.add_source_point(location, start());
+    for(Vertex v : m_vertices) geodesic.add_source_point(v, start());
+    for(const Face_location& location : m_points) geodesic.add_source_point(location, start());
     for(const Surface_polyline& polyline : m_polylines)
       geodesic.add_source_polyline(polyline.locations, polyline.is_closed, start());
-    for(const std::vector<Edge>& cycle : m_boundary_cycles)
-      geodesic.add_source_edges(cycle, start());
-    for(const std::vector<Edge>& edges : m_edges)
-      geodesic.add_source_edges(edges, start());
+    for(const std::vector<Edge>& cycle : m_boundary_cycles) geodesic.add_source_edges(cycle, start());
+    for(const std::vector<Edge>& edges : m_edges) geodesic.add_source_edges(edges, start());
   }
 
   // Only polylines have sides.
@@ -117,10 +112,7 @@ public:
   double smallest_start_value() const { return *std::min_element(m_start_values.begin(), m_start_values.end()); }
 
   // Whether all sources are single points, away from the vertices of the mesh.
-  bool are_points() const
-  {
-    return m_vertices.empty() && m_polylines.empty() && m_boundary_cycles.empty() && m_edges.empty();
-  }
+  bool are_points() const { return m_vertices.empty() && m_polylines.empty() && m_boundary_cycles.empty() && m_edges.empty(); }
 
   // Calls f(vertex, length) for straight paths in a face from a source to a vertex, at least one per source. To the lengths the
   // largest start value is added.
@@ -128,13 +120,10 @@ public:
   void for_each_start(const Function& f) const
   {
     const double start = *std::max_element(m_start_values.begin(), m_start_values.end());
-    for(Vertex v : m_vertices)
-      f(v, start);
-    for(const Face_location& location : m_points)
-      for_each_corner(location, start, f);
+    for(Vertex v : m_vertices) f(v, start);
+    for(const Face_location& location : m_points) for_each_corner(location, start, f);
     for(const Surface_polyline& polyline : m_polylines)
-      for(const Face_location& location : polyline.locations)
-        for_each_corner(location, start, f);
+      for(const Face_location& location : polyline.locations) for_each_corner(location, start, f);
     for_each_edge([&](Edge e) {
       f(m_mesh.vertex(e, 0), start);
       f(m_mesh.vertex(e, 1), start);
@@ -149,7 +138,7 @@ public:
   const std::string& name_of_polyline(std::size_t i) const { return m_polyline_names[i]; }
 
   const std::vector<std::string>& remarks() const { return m_remarks; }
-  const Moved_points&             moved_points() const { return m_moved; }
+  const Moved_points& moved_points() const { return m_moved; }
 
   Point point_of(const Face_location& location) const;
 
@@ -164,8 +153,7 @@ private:
   {
     for(const auto* sets : {&m_boundary_cycles, &m_edges})
       for(const std::vector<Edge>& edges : *sets)
-        for(Edge e : edges)
-          f(e);
+        for(Edge e : edges) f(e);
   }
 
   template <class Function>

@@ -58,11 +58,9 @@ Split_mesh::Split_mesh(const Mesh& mesh, const Geodesic::Field::Voronoi_diagram&
   : m_mesh(mesh)
 {
   CGAL::split_along_geodesic_voronoi_diagram(
-    m_mesh, diagram,
-    CGAL::parameters::chord_tolerance(chord_tolerance).face_source_map(add_property("source").map));
+    m_mesh, diagram, CGAL::parameters::chord_tolerance(chord_tolerance).face_source_map(add_property("source").map));
   m_mesh.collect_garbage();
-  for(std::size_t i = 0; i < number_of_sources; ++i)
-    m_colors.push_back(distinct_color(i));
+  for(std::size_t i = 0; i < number_of_sources; ++i) m_colors.push_back(distinct_color(i));
 }
 
 void Split_mesh::write(std::ostream& out) const
@@ -71,8 +69,7 @@ void Split_mesh::write(std::ostream& out) const
       << "element vertex " << m_mesh.number_of_vertices() << "\n"
       << "property double x\nproperty double y\nproperty double z\n"
       << "element face " << m_mesh.number_of_faces() << "\nproperty list uchar int vertex_indices\n";
-  for(const Property& property : m_properties)
-    out << "property int " << property.name << "\n";
+  for(const Property& property : m_properties) out << "property int " << property.name << "\n";
   out << "property uchar red\nproperty uchar green\nproperty uchar blue\nend_header\n";
   Byte_writer bytes(out, Byte_order::little);
   for(Vertex v : m_mesh.vertices())

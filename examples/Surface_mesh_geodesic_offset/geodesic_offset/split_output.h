@@ -21,13 +21,13 @@ class Split_mesh
 {
   struct Property
   {
-    const char*                           name;
+    const char* name;
     Mesh::Property_map<Face, std::size_t> map; // Geodesic::no_source(): none
   };
 
-  Mesh                  m_mesh;
+  Mesh m_mesh;
   std::vector<Property> m_properties;
-  std::vector<Color>    m_colors; // per value of the first property
+  std::vector<Color> m_colors; // per value of the first property
 
   Property& add_property(const char* name);
 

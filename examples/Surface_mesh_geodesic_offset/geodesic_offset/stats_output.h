@@ -26,12 +26,12 @@ struct Run_figures
   std::size_t vertices = 0;
   std::size_t faces = 0;
   std::size_t threads = 1;
-  double      load_seconds = 0;
-  double      setup_seconds = 0;
-  double      largest_distance = 0;        // of the surface, up to the covered distance
-  double      covered_distance = infinity; // all distances up to it are known
+  double load_seconds = 0;
+  double setup_seconds = 0;
+  double largest_distance = 0; // of the surface, up to the covered distance
+  double covered_distance = infinity; // all distances up to it are known
   std::optional<Point> farthest_point; // if requested
-  bool        has_tolerance = false;       // whether distances may be smaller than the exact ones
+  bool has_tolerance = false; // whether distances may be smaller than the exact ones
 };
 
 // The figures with those of requested distances without curves, in increasing order.
@@ -43,8 +43,7 @@ inline std::vector<Level_figures> with_requested(std::vector<Level_figures> leve
     Level_figures level;
     level.distance = distance;
     const auto it = std::lower_bound(levels.begin(), levels.end(), level, is_less);
-    if(it == levels.end() || it->distance != distance)
-      levels.insert(it, level);
+    if(it == levels.end() || it->distance != distance) levels.insert(it, level);
   }
   return levels;
 }

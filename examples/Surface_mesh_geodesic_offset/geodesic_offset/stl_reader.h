@@ -32,7 +32,7 @@ class Point_indices
 {
   static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
-  std::vector<Point>&        m_points;
+  std::vector<Point>& m_points;
   std::vector<std::uint32_t> m_slots;
 
 public:
@@ -41,17 +41,14 @@ public:
   // Returns the index of a point; adds new points.
   std::uint32_t operator()(std::array<double, 3> c)
   {
-    for(double& x : c)
-      x += 0.0; // -0 and 0 are the same coordinate
+    for(double& x : c) x += 0.0; // -0 and 0 are the same coordinate
     const Point point(c[0], c[1], c[2]);
     std::size_t slot = slot_of(point);
-    if(m_slots[slot] != none)
-      return m_slots[slot];
+    if(m_slots[slot] != none) return m_slots[slot];
     if(2 * (m_points.size() + 1) > m_slots.size())
     {
       m_slots.assign(2 * m_slots.size(), none);
-      for(std::size_t i = 0; i < m_points.size(); ++i)
-        m_slots[slot_of(m_points[i])] = static_cast<std::uint32_t>(i);
+      for(std::size_t i = 0; i < m_points.size(); ++i) m_slots[slot_of(m_points[i])] = static_cast<std::uint32_t>(i);
       slot = slot_of(point);
     }
     m_slots[slot] = static_cast<std::uint32_t>(m_points.size());
@@ -74,8 +71,7 @@ private:
       hash ^= hash >> 32;
     }
     std::size_t slot = hash & (m_slots.size() - 1);
-    while(m_slots[slot] != none && m_points[m_slots[slot]] != point)
-      slot = (slot + 1) & (m_slots.size() - 1);
+    while(m_slots[slot] != none && m_points[m_slots[slot]] != point) slot = (slot + 1) & (m_slots.size() - 1);
     return slot;
   }
 };
@@ -84,10 +80,10 @@ class Stl_reader
 {
   static constexpr std::size_t header_size = 84, triangle_size = 50; // bytes of a binary file
 
-  Text_scanner     m_text;
+  Text_scanner m_text;
   std::string_view m_bytes;
-  Soup&            m_soup;
-  Point_indices    m_indices;
+  Soup& m_soup;
+  Point_indices m_indices;
 
 public:
   Stl_reader(const std::string& path, std::string_view bytes, Soup& soup)
@@ -103,8 +99,7 @@ public:
       read_binary();
     else
       read_text();
-    if(m_soup.polygons.empty())
-      m_text.fail("the file has no facets");
+    if(m_soup.polygons.empty()) m_text.fail("the file has no facets");
   }
 
 private:
@@ -149,24 +144,21 @@ private:
         for(double& x : c)
         {
           x = static_cast<double>(bytes.read<float>());
-          if(!std::isfinite(x))
-            m_text.fail("facet " + std::to_string(i) + " has a coordinate that is not finite");
+          if(!std::isfinite(x)) m_text.fail("facet " + std::to_string(i) + " has a coordinate that is not finite");
         }
         v = m_indices(c);
       }
       m_soup.polygons.push_back(std::move(polygon));
       bytes.skip(2); // attributes
     }
-    if(bytes.remaining() != 0)
-      m_soup.remarks.push_back(counted(bytes.remaining(), "byte") + " behind the last facet left out");
+    if(bytes.remaining() != 0) m_soup.remarks.push_back(counted(bytes.remaining(), "byte") + " behind the last facet left out");
   }
 
   std::string facet() const { return "facet " + std::to_string(m_soup.polygons.size()); }
 
   void expect(std::string_view keyword)
   {
-    if(!m_text.find_word())
-      m_text.fail("the file ends within " + facet());
+    if(!m_text.find_word()) m_text.fail("the file ends within " + facet());
     const std::string_view word = m_text.word();
     if(!is(word, keyword))
       m_text.fail_here(quoted(std::string(keyword)) + " of " + facet() + " is expected here, not " + quoted_word(word));
@@ -189,8 +181,7 @@ private:
         m_text.fail_here(std::string(is_in_solid ? "'facet' or 'endsolid'" : "'solid'") + " is expected here, not " +
                          quoted_word(word));
     }
-    if(is_in_solid)
-      m_text.fail("the file ends without endsolid, after " + counted(m_soup.polygons.size(), "facet"));
+    if(is_in_solid) m_text.fail("the file ends without endsolid, after " + counted(m_soup.polygons.size(), "facet"));
   }
 
   void read_facet()

@@ -21,7 +21,7 @@ namespace geodesic_offset {
 // Temporary files of the program. Outlives static objects, as the thread of the signals does.
 class Temporary_files
 {
-  std::mutex            m_mutex;
+  std::mutex m_mutex;
   std::set<std::string> m_names;
 
 public:
@@ -40,8 +40,7 @@ public:
 
   void remove_all()
   {
-    for(const std::string& name : m_names)
-      ::unlink(name.c_str());
+    for(const std::string& name : m_names) ::unlink(name.c_str());
   }
 };
 
@@ -51,16 +50,14 @@ public:
 // thread can be started.
 inline void end_cleanly_on_signals()
 {
-  for(int ignored : {SIGPIPE, SIGXFSZ})
-    std::signal(ignored, SIG_IGN);
+  for(int ignored : {SIGPIPE, SIGXFSZ}) std::signal(ignored, SIG_IGN);
   sigset_t signals;
   sigemptyset(&signals);
   bool is_any = false;
   for(int number : {SIGINT, SIGTERM, SIGHUP})
   {
     struct sigaction action;
-    if(sigaction(number, nullptr, &action) != 0 || action.sa_handler == SIG_IGN)
-      continue;
+    if(sigaction(number, nullptr, &action) != 0 || action.sa_handler == SIG_IGN) continue;
     sigaddset(&signals, number);
     is_any = true;
   }
@@ -68,8 +65,7 @@ inline void end_cleanly_on_signals()
     return;
   std::thread([signals] {
     int number = 0;
-    if(sigwait(&signals, &number) != 0)
-      return;
+    if(sigwait(&signals, &number) != 0) return;
     const std::unique_lock<std::mutex> lock = Temporary_files::instance().lock();
     Temporary_files::instance().remove_all();
     ::_exit(128 + number);

@@ -20,10 +20,11 @@ namespace internal {
 
 struct Stroke
 {
-  bool                      round; // corners are cut until they look round
+  bool round; // corners are cut until they look round
   std::vector<Stroke_point> points;
 };
 
+// clang-format off
 inline std::vector<Stroke> strokes_of(char c)
 {
   switch(c)
@@ -47,6 +48,7 @@ inline std::vector<Stroke> strokes_of(char c)
   default: return {};
   }
 }
+// clang-format on
 
 inline double width_of(char c) { return c == '.' ? 0.3 : 0.9; }
 

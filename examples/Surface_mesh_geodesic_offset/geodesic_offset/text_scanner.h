@@ -19,10 +19,9 @@
 
 namespace geodesic_offset {
 
-enum class Text_style
-{
+enum class Text_style {
   plain,
-  with_comments,                  // '#' begins a comment
+  with_comments, // '#' begins a comment
   with_comments_and_continuations // and '\' at the end of a line continues it
 };
 
@@ -31,19 +30,18 @@ enum class Text_style
 class Text_scanner
 {
   const std::string* m_path;
-  const char*        m_begin;
-  const char*        m_at;
-  const char*        m_end;
-  std::size_t        m_line = 1;
-  Text_style         m_style;
+  const char* m_begin;
+  const char* m_at;
+  const char* m_end;
+  std::size_t m_line = 1;
+  Text_style m_style;
 
 public:
   // `path` is for messages; both arguments must outlive the scanner. Skips a byte order mark.
   Text_scanner(const std::string& path, std::string_view text, Text_style style)
     : m_path(&path), m_begin(text.data()), m_at(text.data()), m_end(text.data() + text.size()), m_style(style)
   {
-    if(text.substr(0, 3) == "\xef\xbb\xbf")
-      m_at += 3;
+    if(text.substr(0, 3) == "\xef\xbb\xbf") m_at += 3;
   }
 
   const std::string& path() const { return *m_path; }
@@ -66,8 +64,7 @@ public:
   void next_line()
   {
     skip_line();
-    if(m_at == m_end)
-      return;
+    if(m_at == m_end) return;
     m_at += (*m_at == '\r' && m_end - m_at > 1 && m_at[1] == '\n') ? 2 : 1;
     ++m_line;
   }
@@ -77,8 +74,7 @@ public:
   {
     while(is_at_line_end())
     {
-      if(m_at == m_end)
-        return false;
+      if(m_at == m_end) return false;
       next_line();
     }
     return true;
@@ -114,8 +110,7 @@ public:
     }
     // a sign, or a number too small for a double
     const std::string_view word = upcoming_word();
-    if(!parse_number(word, value))
-      return false;
+    if(!parse_number(word, value)) return false;
     m_at += word.size();
     return true;
   }
@@ -125,16 +120,12 @@ public:
   {
     skip_blanks();
     const std::string_view word = upcoming_word();
-    if(!parse_index(word, value))
-      return false;
+    if(!parse_index(word, value)) return false;
     m_at += word.size();
     return true;
   }
 
-  [[noreturn]] void fail(const std::string& text) const
-  {
-    throw Input_error("cannot read " + quoted(*m_path) + ": " + text);
-  }
+  [[noreturn]] void fail(const std::string& text) const { throw Input_error("cannot read " + quoted(*m_path) + ": " + text); }
 
   [[noreturn]] void fail_at(std::size_t line, const std::string& text) const
   {
@@ -148,8 +139,7 @@ public:
   double coordinate(const Name& name)
   {
     double value = 0;
-    if(read(value))
-      return value;
+    if(read(value)) return value;
     const std::string_view word = this->word();
     fail_here(name() + (word.empty() ? " has fewer than three coordinates"
                                      : " has the coordinate " + quoted_word(word) + ", which is not a finite number"));
@@ -169,8 +159,7 @@ private:
   std::string_view upcoming_word() const
   {
     const char* end = m_at;
-    while(!is_word_end(end))
-      ++end;
+    while(!is_word_end(end)) ++end;
     return {m_at, static_cast<std::size_t>(end - m_at)};
   }
 
@@ -195,14 +184,12 @@ private:
       }
       else
         break;
-    if(m_at != m_end && *m_at == '#' && has_comments())
-      skip_line();
+    if(m_at != m_end && *m_at == '#' && has_comments()) skip_line();
   }
 
   void skip_line()
   {
-    while(m_at != m_end && !is_newline(*m_at))
-      ++m_at;
+    while(m_at != m_end && !is_newline(*m_at)) ++m_at;
   }
 };
 

@@ -56,12 +56,10 @@ std::size_t number_of_working_threads(Concurrency_tag)
 template <class Function>
 void with_threads(std::optional<std::size_t> number, const Function& f)
 {
-  if(number == 1)
-    return f(CGAL::Sequential_tag());
+  if(number == 1) return f(CGAL::Sequential_tag());
 #ifdef CGAL_LINKED_WITH_TBB
   std::optional<tbb::global_control> control;
-  if(number)
-    control.emplace(tbb::global_control::max_allowed_parallelism, *number);
+  if(number) control.emplace(tbb::global_control::max_allowed_parallelism, *number);
 #endif
   f(CGAL::Parallel_if_available_tag());
 }

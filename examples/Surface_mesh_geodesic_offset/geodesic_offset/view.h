@@ -78,10 +78,10 @@ class Depth_probe
   struct Pixel
   {
     double depth = -infinity;
-    bool   is_front = false; // the outside of the surface is visible
+    bool is_front = false; // the outside of the surface is visible
   };
   std::vector<Pixel> m_pixels;
-  double             m_x, m_y, m_scale;
+  double m_x, m_y, m_scale;
 
 public:
   Depth_probe(const Mesh& mesh, const View& view) : m_pixels(static_cast<std::size_t>(size * size))
@@ -97,10 +97,7 @@ public:
     }
   }
 
-  bool is_visible(const View_point& p) const
-  {
-    return p[2] >= m_pixels[pixel(column(p[0]), row(p[1]))].depth - 3 / m_scale;
-  }
+  bool is_visible(const View_point& p) const { return p[2] >= m_pixels[pixel(column(p[0]), row(p[1]))].depth - 3 / m_scale; }
 
   // Visible area of the outside, in units of the mesh.
   double visible_area() const
@@ -118,14 +115,11 @@ private:
   {
     const double area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
     const auto set = [&](std::size_t i, double depth) {
-      if(depth > m_pixels[i].depth)
-        m_pixels[i] = {depth, area > 0};
+      if(depth > m_pixels[i].depth) m_pixels[i] = {depth, area > 0};
     };
     // at least the corners, so that faces smaller than a pixel count
-    for(const View_point& p : {a, b, c})
-      set(pixel(column(p[0]), row(p[1])), p[2]);
-    if(area == 0)
-      return;
+    for(const View_point& p : {a, b, c}) set(pixel(column(p[0]), row(p[1])), p[2]);
+    if(area == 0) return;
     const int c0 = column(std::min({a[0], b[0], c[0]})), c1 = column(std::max({a[0], b[0], c[0]}));
     const int r0 = row(std::min({a[1], b[1], c[1]})), r1 = row(std::max({a[1], b[1], c[1]}));
     for(int r = r0; r <= r1; ++r)
@@ -134,8 +128,7 @@ private:
         const double x = m_x + k / m_scale, y = m_y + r / m_scale;
         const double v = ((x - a[0]) * (c[1] - a[1]) - (y - a[1]) * (c[0] - a[0])) / area;
         const double w = ((b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0])) / area;
-        if(v < 0 || w < 0 || v + w > 1)
-          continue;
+        if(v < 0 || w < 0 || v + w > 1) continue;
         set(pixel(k, r), a[2] + v * (b[2] - a[2]) + w * (c[2] - a[2]));
       }
   }
@@ -147,11 +140,15 @@ private:
 inline View choose_view(const Mesh& mesh, const std::vector<Point>& points, const Vector& up)
 {
   const Vector top = View::normalized(up);
-  const Vector front = View::normalized(
-    std::abs(top.z()) < 0.9 ? Vector(0, 0, 1) - top.z() * top : Vector(0, -1, 0) + top.y() * top);
+  const Vector front =
+    View::normalized(std::abs(top.z()) < 0.9 ? Vector(0, 0, 1) - top.z() * top : Vector(0, -1, 0) + top.y() * top);
   const Vector side = CGAL::cross_product(top, front);
 
-  struct Candidate { View view; double visible, area, preference; };
+  struct Candidate
+  {
+    View view;
+    double visible, area, preference;
+  };
   std::vector<Candidate> candidates;
   constexpr double degree = 3.14159265358979323846 / 180;
   for(int elevation : {22, 48, -18})
@@ -161,17 +158,16 @@ inline View choose_view(const Mesh& mesh, const std::vector<Point>& points, cons
       const View view(std::sin(e) * top + std::cos(e) * (std::cos(a) * front + std::sin(a) * side), top);
       const internal::Depth_probe probe(mesh, view);
       std::size_t visible = 0;
-      for(const Point& p : points)
-        visible += probe.is_visible(view(p)) ? 1 : 0;
+      for(const Point& p : points) visible += probe.is_visible(view(p)) ? 1 : 0;
       candidates.push_back({view, points.empty() ? 0 : static_cast<double>(visible) / static_cast<double>(points.size()),
                             probe.visible_area(), (azimuth == 35 ? 0.04 : 0) - (elevation < 0 ? 0.15 : 0)});
     }
   double largest = 0;
-  for(const Candidate& c : candidates)
-    largest = std::max(largest, c.area);
+  for(const Candidate& c : candidates) largest = std::max(largest, c.area);
   const auto score = [&](const Candidate& c) { return c.visible + (largest > 0 ? 0.4 * c.area / largest : 0) + c.preference; };
   return std::max_element(candidates.begin(), candidates.end(),
-                          [&](const Candidate& x, const Candidate& y) { return score(x) < score(y); })->view;
+                          [&](const Candidate& x, const Candidate& y) { return score(x) < score(y); })
+    ->view;
 }
 
 } // namespace geodesic_offset

@@ -25,17 +25,15 @@ namespace internal {
 struct Cell_boundary
 {
   std::vector<Point> points;
-  std::size_t        left, right; // sources
+  std::size_t left, right; // sources
 };
 
 inline void write_boundaries(std::ostream& out, const std::string& file, const std::vector<Cell_boundary>& boundaries)
 {
   out.precision(std::numeric_limits<double>::max_digits10);
-  if(!has_extension(file, ".vtk"))
-    return write_polylines(out, boundaries);
+  if(!has_extension(file, ".vtk")) return write_polylines(out, boundaries);
   write_vtk_lines(out, "geodesic Voronoi diagram", boundaries);
-  if(boundaries.empty())
-    return;
+  if(boundaries.empty()) return;
   out << "CELL_DATA " << boundaries.size() << "\nFIELD cells 2\n";
   write_vtk_integers(out, "left", boundaries, [](const Cell_boundary& b) { return b.left; });
   write_vtk_integers(out, "right", boundaries, [](const Cell_boundary& b) { return b.right; });
@@ -66,7 +64,8 @@ inline void add_voronoi_files(Output_files& files, const std::vector<std::string
     if(has_extension(name, ".ply"))
     {
       const Split_mesh split(mesh, diagram, geodesic.number_of_sources(), chord_tolerance);
-      files.add(name, [&](std::ostream& out) { split.write(out); }, split.number_of_bytes());
+      files.add(
+        name, [&](std::ostream& out) { split.write(out); }, split.number_of_bytes());
     }
     else
       files.add(name, [&](std::ostream& out) { internal::write_boundaries(out, name, boundaries); });

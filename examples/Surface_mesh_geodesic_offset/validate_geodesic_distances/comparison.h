@@ -20,7 +20,7 @@ namespace geodesic_offset {
 struct Error_figures
 {
   std::size_t number = 0;
-  double      largest = 0, mean = 0, rms = 0;
+  double largest = 0, mean = 0, rms = 0;
   std::size_t at = 0; // first vertex with the largest error
 
   Error_figures() = default;
@@ -52,8 +52,7 @@ struct Error_figures
 inline double mean_of(const std::vector<double>& values)
 {
   double mean = 0;
-  for(std::size_t i = 0; i < values.size(); ++i)
-    mean += values[i] / static_cast<double>(values.size());
+  for(std::size_t i = 0; i < values.size(); ++i) mean += values[i] / static_cast<double>(values.size());
   return mean;
 }
 
@@ -64,8 +63,7 @@ struct Width_figures
   Width_figures() = default;
   explicit Width_figures(std::vector<double> widths)
   {
-    if(widths.empty())
-      return;
+    if(widths.empty()) return;
     const auto middle = widths.begin() + static_cast<std::ptrdiff_t>(widths.size() / 2);
     std::nth_element(widths.begin(), middle, widths.end());
     median = *middle;
@@ -88,14 +86,13 @@ struct Comparison
 
   Error_figures outside, relative_outside; // distances from the bounds
   Error_figures off_middle, relative_off_middle;
-  double        bias = 0, relative_bias = 0;
+  double bias = 0, relative_bias = 0;
   Width_figures width, relative_width;
-  std::size_t   worst = 0; // a vertex
+  std::size_t worst = 0; // a vertex
 
   Comparison(const std::vector<Bounds>& bounds, const std::vector<double>& distances, double tolerance)
   {
-    std::vector<double> outside_errors, middle_errors, widths, relative_outside_errors, relative_middle_errors,
-      relative_widths;
+    std::vector<double> outside_errors, middle_errors, widths, relative_outside_errors, relative_middle_errors, relative_widths;
     std::vector<std::size_t> reached_vertices, away_vertices;
     errors.reserve(distances.size());
     for(std::size_t i = 0; i < distances.size(); ++i)
@@ -103,8 +100,7 @@ struct Comparison
       const double lower = bounds[i].first, upper = bounds[i].second, d = distances[i];
       const double error = d < lower ? d - lower : d > upper ? d - upper : 0;
       errors.push_back(error);
-      if(std::abs(error) > std::abs(errors[worst]))
-        worst = i;
+      if(std::abs(error) > std::abs(errors[worst])) worst = i;
       if(d == infinity || upper == infinity)
       {
         (error == 0 ? inside : d == infinity ? infinite_in_table_only : infinite_in_truth_only) += 1;
@@ -112,16 +108,14 @@ struct Comparison
         continue;
       }
       (error == 0 ? inside : error < 0 ? too_short : too_long) += 1;
-      if(error != 0 && (d < lower * (1 - tolerance) || d > upper * (1 + tolerance)))
-        ++beyond_tolerance;
+      if(error != 0 && (d < lower * (1 - tolerance) || d > upper * (1 + tolerance))) ++beyond_tolerance;
 
       const double middle = lower + (upper - lower) / 2;
       reached_vertices.push_back(i);
       outside_errors.push_back(error);
       middle_errors.push_back(d - middle);
       widths.push_back(upper - lower);
-      if(middle == 0)
-        continue;
+      if(middle == 0) continue;
       away_vertices.push_back(i);
       relative_outside_errors.push_back(error == 0 ? 0 : error / (error < 0 ? lower : upper));
       relative_middle_errors.push_back((d - middle) / middle);

@@ -21,33 +21,28 @@ namespace geodesic_offset {
 
 struct Distance_table
 {
-  std::string         name; // for messages
+  std::string name; // for messages
   std::vector<double> distances;
-  std::vector<Point>  points; // positions of the vertices in the table; empty if it has none
+  std::vector<Point> points; // positions of the vertices in the table; empty if it has none
 };
 
 namespace internal {
 
 inline bool spells_infinity(std::string word)
 {
-  for(char& c : word)
-    c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  if(word[0] == '+')
-    word.erase(0, 1);
+  for(char& c : word) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  if(word[0] == '+') word.erase(0, 1);
   return word == "inf" || word == "infinity" || word == "1.#inf";
 }
 
 // Throws Input_error that begins with `where`.
 inline double parsed_distance(const std::string& where, std::size_t vertex, std::string_view word)
 {
-  if(!word.empty() && spells_infinity(std::string(word)))
-    return std::numeric_limits<double>::infinity();
+  if(!word.empty() && spells_infinity(std::string(word))) return std::numeric_limits<double>::infinity();
   double value = 0;
   const std::string what = where + "vertex " + std::to_string(vertex) + " has the distance " + quoted_word(word);
-  if(!parse_number(word, value))
-    throw Input_error(what + ", which is neither a finite number nor inf");
-  if(value < 0)
-    throw Input_error(what + ", which is negative");
+  if(!parse_number(word, value)) throw Input_error(what + ", which is neither a finite number nor inf");
+  if(value < 0) throw Input_error(what + ", which is negative");
   return value;
 }
 

@@ -23,9 +23,9 @@ struct Validation_options : Source_options
   std::string distances;
   std::string property;
   std::string per_vertex;
-  double      tolerance = 0;
-  bool        help = false;
-  bool        version = false;
+  double tolerance = 0;
+  bool help = false;
+  bool version = false;
 };
 
 namespace internal {
@@ -42,17 +42,18 @@ inline po::options_description validation_options_description()
   const auto word = [](const char* name) { return po::value<std::string>()->value_name(name); };
 
   po::options_description others("Distances and others");
-  others.add_options()
-    ("distances", word("FILE"), "one distance per line in the order of the vertices, or lines of a vertex and its "
-                                "distance, where '#' begins a comment; or, if it ends in .ply, a property of the "
-                                "vertices. 'inf' for unreachable vertices")
-    ("property", word("NAME"), "the property of the .ply file (default: the first existing one of distance, quality, scalar, "
-                               "geodesic_distance, geodesic, value)")
-    ("tolerance", word("REL"), "distances may be outside the bounds by this, relative to the bound (default: 0)")
-    ("per-vertex", word("FILE"), "a table of all vertices: vertex, lower and upper bound, distance, and distance "
-                                 "from the bounds, negative if too short")
-    ("version", po::bool_switch(), "print the version")
-    ("help", po::bool_switch(), "print this");
+  others.add_options()("distances", word("FILE"),
+                       "one distance per line in the order of the vertices, or lines of a vertex and its "
+                       "distance, where '#' begins a comment; or, if it ends in .ply, a property of the "
+                       "vertices. 'inf' for unreachable vertices")(
+    "property", word("NAME"),
+    "the property of the .ply file (default: the first existing one of distance, quality, scalar, "
+    "geodesic_distance, geodesic, value)")("tolerance", word("REL"),
+                                           "distances may be outside the bounds by this, relative to the bound (default: 0)")(
+    "per-vertex", word("FILE"),
+    "a table of all vertices: vertex, lower and upper bound, distance, and distance "
+    "from the bounds, negative if too short")("version", po::bool_switch(),
+                                              "print the version")("help", po::bool_switch(), "print this");
 
   all.add(source_options_description()).add(others);
   return all;
@@ -60,22 +61,20 @@ inline po::options_description validation_options_description()
 
 inline void check_files(const Validation_options& options)
 {
-  if(options.distances.empty())
-    throw Usage_error("no --distances given");
+  if(options.distances.empty()) throw Usage_error("no --distances given");
   if(!options.property.empty() && !has_extension(options.distances, ".ply"))
     throw Usage_error("--property needs --distances in a file that ends in .ply, not " + quoted(options.distances));
   Words read = options.files_read();
   read.push_back(options.distances);
-  if(!options.per_vertex.empty())
-    check_different_files(read, {options.per_vertex});
+  if(!options.per_vertex.empty()) check_different_files(read, {options.per_vertex});
 }
 
 inline Validation_options checked_validation_options(const po::variables_map& map)
 {
   Validation_options options;
   read_source_options(map, options);
-  options.distances  = option_word(map, "distances");
-  options.property   = option_word(map, "property");
+  options.distances = option_word(map, "distances");
+  options.property = option_word(map, "property");
   options.per_vertex = option_word(map, "per-vertex");
   check_files(options);
   if(map.count("tolerance"))

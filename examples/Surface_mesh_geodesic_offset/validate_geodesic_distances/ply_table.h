@@ -23,31 +23,31 @@ namespace geodesic_offset {
 
 class Ply_table_reader
 {
-  using Element  = internal::Ply_element;
+  using Element = internal::Ply_element;
   using Property = internal::Ply_property;
 
   const std::string& m_path;
   const std::string& m_mesh;
-  std::size_t        m_vertices; // of the mesh
-  std::string        m_property;
-  bool               m_has_points = false;
-  Distance_table     m_table;
+  std::size_t m_vertices; // of the mesh
+  std::string m_property;
+  bool m_has_points = false;
+  Distance_table m_table;
 
   // Reader of the vertex rows.
   class Rows
   {
-    const internal::Ply_file&  m_file;
-    Ply_table_reader&          m_reader;
-    std::size_t                m_distance;
+    const internal::Ply_file& m_file;
+    Ply_table_reader& m_reader;
+    std::size_t m_distance;
     std::array<std::size_t, 3> m_xyz;
-    std::size_t                m_row = 0;
-    std::size_t                m_found = 0; // coordinates of the row
-    double                     m_coordinates[3] = {0, 0, 0};
+    std::size_t m_row = 0;
+    std::size_t m_found = 0; // coordinates of the row
+    double m_coordinates[3] = {0, 0, 0};
 
   public:
     Rows(const internal::Ply_file& file, Ply_table_reader& reader, const Element& vertices)
-      : m_file(file), m_reader(reader), m_distance(vertices.find(reader.m_property)),
-        m_xyz{vertices.find("x"), vertices.find("y"), vertices.find("z")}
+      : m_file(file), m_reader(reader),
+        m_distance(vertices.find(reader.m_property)), m_xyz{vertices.find("x"), vertices.find("y"), vertices.find("z")}
     {
     }
 
@@ -69,16 +69,13 @@ class Ply_table_reader
                             (value < 0 ? ", which is negative" : ", which is not a number"));
         m_reader.m_table.distances.push_back(value);
       }
-      if(is_coordinate(property))
-        add_coordinate(property, value);
+      if(is_coordinate(property)) add_coordinate(property, value);
     }
 
     void word(std::size_t property, std::string_view word)
     {
-      if(property == m_distance)
-        m_reader.m_table.distances.push_back(internal::parsed_distance(where(), m_row, word));
-      if(!is_coordinate(property))
-        return;
+      if(property == m_distance) m_reader.m_table.distances.push_back(internal::parsed_distance(where(), m_row, word));
+      if(!is_coordinate(property)) return;
       double value = 0;
       if(!parse_number(word, value))
         throw Input_error(where() + "vertex " + std::to_string(m_row) + " has the coordinate " + quoted_word(word) +
@@ -95,10 +92,8 @@ class Ply_table_reader
     void add_coordinate(std::size_t property, double value)
     {
       for(std::size_t c = 0; c < 3; ++c)
-        if(m_xyz[c] == property)
-          m_coordinates[c] = value;
-      if(++m_found == 3)
-        m_reader.m_table.points.emplace_back(m_coordinates[0], m_coordinates[1], m_coordinates[2]);
+        if(m_xyz[c] == property) m_coordinates[c] = value;
+      if(++m_found == 3) m_reader.m_table.points.emplace_back(m_coordinates[0], m_coordinates[1], m_coordinates[2]);
     }
 
     std::string where() const { return quoted(m_reader.m_path) + ", " + m_file.where() + m_reader.named_property() + ": "; }
@@ -158,8 +153,7 @@ private:
     m_property = property;
     if(property.empty())
       for(const char* name : {"value", "geodesic", "geodesic_distance", "scalar", "quality", "distance"})
-        if(vertices.has(name))
-          m_property = name;
+        if(vertices.has(name)) m_property = name;
     if(!vertices.has(m_property))
     {
       constexpr std::size_t most_names = 10; // in one line

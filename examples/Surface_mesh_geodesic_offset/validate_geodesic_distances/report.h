@@ -20,14 +20,13 @@ namespace geodesic_offset {
 
 class Report_writer
 {
-  std::ostream&     m_out;
+  std::ostream& m_out;
   const Comparison& m_comparison;
 
 public:
   Report_writer(std::ostream& out, const Comparison& comparison) : m_out(out), m_comparison(comparison) {}
 
-  void operator()(const std::vector<Comparison::Bounds>& bounds, const std::vector<double>& distances,
-                  double tolerance) const
+  void operator()(const std::vector<Comparison::Bounds>& bounds, const std::vector<double>& distances, double tolerance) const
   {
     const Comparison& c = m_comparison;
     count("vertices", c.errors.size(), "in the mesh and in the table");
@@ -55,9 +54,9 @@ public:
     else
     {
       const std::size_t v = c.worst;
-      line("worst vertex", std::to_string(v) + ": distance " + full_number(distances[v]) + ", bounds " +
-                             full_number(bounds[v].first) + " and " + full_number(bounds[v].second) + ", outside by " +
-                             short_number(c.errors[v]),
+      line("worst vertex",
+           std::to_string(v) + ": distance " + full_number(distances[v]) + ", bounds " + full_number(bounds[v].first) +
+             " and " + full_number(bounds[v].second) + ", outside by " + short_number(c.errors[v]),
            "farthest outside; negative if too short");
     }
   }
@@ -81,8 +80,8 @@ private:
   void errors(const std::string& label, const Error_figures& f, const std::string& meaning) const
   {
     const std::string at = f.largest == 0 ? "" : " at vertex " + std::to_string(f.at);
-    line(label, "largest " + short_number(f.largest) + at + ", mean " + short_number(f.mean) + ", rms " +
-                  short_number(f.rms), meaning);
+    line(label, "largest " + short_number(f.largest) + at + ", mean " + short_number(f.mean) + ", rms " + short_number(f.rms),
+         meaning);
   }
 
   void widths(const std::string& label, const Width_figures& f, const std::string& meaning) const

@@ -23,9 +23,9 @@ namespace geodesic_offset {
 
 class Text_table_reader
 {
-  const std::string&       m_path;
-  const std::string&       m_mesh;
-  std::vector<double>      m_distances;
+  const std::string& m_path;
+  const std::string& m_mesh;
+  std::vector<double> m_distances;
   std::vector<std::size_t> m_lines; // lines of the vertices, 0 if not yet listed
 
 public:
@@ -42,37 +42,29 @@ public:
     for(; text.find_word(); text.next_line(), ++rows)
     {
       std::vector<std::string_view> words;
-      while(!text.is_at_line_end())
-        words.push_back(text.word());
-      if(columns == 0)
-        columns = words.size();
+      while(!text.is_at_line_end()) words.push_back(text.word());
+      if(columns == 0) columns = words.size();
       if(columns > 2)
         throw Input_error(where(text) + "a distance, or a vertex and its distance, is expected here, not " +
                           counted(columns, "word"));
       if(words.size() != columns)
-        throw Input_error(where(text) + counted(words.size(), "word") + ", but the first line has " +
-                          std::to_string(columns));
+        throw Input_error(where(text) + counted(words.size(), "word") + ", but the first line has " + std::to_string(columns));
       add(where(text), columns == 1 ? rows : vertex(where(text), words[0]), words.back(), text.line());
     }
-    if(rows == 0)
-      throw Input_error(quoted(m_path) + " has no distances");
+    if(rows == 0) throw Input_error(quoted(m_path) + " has no distances");
     check_complete(columns, rows);
     return {quoted(m_path), std::move(m_distances), {}};
   }
 
 private:
-  std::string where(const Text_scanner& text) const
-  {
-    return quoted(m_path) + ", line " + std::to_string(text.line()) + ": ";
-  }
+  std::string where(const Text_scanner& text) const { return quoted(m_path) + ", line " + std::to_string(text.line()) + ": "; }
 
   std::string vertices_of_mesh() const { return quoted(m_mesh) + " has " + counted(m_lines.size(), "vertex", "vertices"); }
 
   std::size_t vertex(const std::string& where, std::string_view word) const
   {
     std::size_t index = 0;
-    if(!parse_index(word, index))
-      throw Input_error(where + quoted_word(word) + " is not the index of a vertex");
+    if(!parse_index(word, index)) throw Input_error(where + quoted_word(word) + " is not the index of a vertex");
     if(index >= m_lines.size())
       throw Input_error(where + "there is no vertex " + std::to_string(index) + ", as " + vertices_of_mesh() + ", from 0");
     return index;
@@ -92,8 +84,7 @@ private:
   void check_complete(std::size_t columns, std::size_t rows) const
   {
     const auto missing = std::find(m_lines.begin(), m_lines.end(), std::size_t(0));
-    if(missing == m_lines.end())
-      return;
+    if(missing == m_lines.end()) return;
     const std::string count = quoted(m_path) + " has only " + counted(rows, "distance") + ", but " + vertices_of_mesh();
     throw Input_error(columns == 1
                         ? count

@@ -21,12 +21,12 @@ namespace geodesic_offset {
 
 class Curves_on_surface
 {
-  const Geodesic_mesh&          m_geodesic;
+  const Geodesic_mesh& m_geodesic;
   std::vector<Surface_polyline> m_curves;
-  std::vector<std::size_t>      m_lines; // of the file
-  std::size_t                   m_points = 0;
-  double                        m_moved = 0;
-  std::string                   m_farthest;
+  std::vector<std::size_t> m_lines; // of the file
+  std::size_t m_points = 0;
+  double m_moved = 0;
+  std::string m_farthest;
 
 public:
   Curves_on_surface(const Geodesic_mesh& geodesic, const std::string& file) : m_geodesic(geodesic)
@@ -36,11 +36,11 @@ public:
   }
 
   const std::vector<Surface_polyline>& curves() const { return m_curves; }
-  std::size_t                          line(std::size_t curve) const { return m_lines[curve]; }
-  std::size_t                          number_of_points() const { return m_points; }
+  std::size_t line(std::size_t curve) const { return m_lines[curve]; }
+  std::size_t number_of_points() const { return m_points; }
 
   // The largest distance of a point from the surface, and the point
-  double             moved() const { return m_moved; }
+  double moved() const { return m_moved; }
   const std::string& farthest_point() const { return m_farthest; }
 
 private:
@@ -48,8 +48,7 @@ private:
   {
     std::vector<Point> points = from.points;
     const bool closed = points.size() > 3 && points.front() == points.back();
-    if(closed)
-      points.pop_back();
+    if(closed) points.pop_back();
     m_points += points.size();
     std::vector<Face_location> locations;
     for(std::size_t i = 0; i < points.size(); ++i)

@@ -20,13 +20,13 @@ namespace geodesic_offset {
 
 struct Offset_validation_options : Source_options
 {
-  std::string           curves;
-  double                distance = 0;
+  std::string curves;
+  double distance = 0;
   std::optional<double> tolerance;
   std::optional<double> surface_tolerance;
-  bool                  stitch = true;
-  bool                  help = false;
-  bool                  version = false;
+  bool stitch = true;
+  bool help = false;
+  bool version = false;
 };
 
 namespace internal {
@@ -43,17 +43,17 @@ inline po::options_description offset_validation_options_description()
   const auto word = [](const char* name) { return po::value<std::string>()->value_name(name); };
 
   po::options_description others("Offset and others");
-  others.add_options()
-    ("distance", word("D"), "the distance of the offset")
-    ("curves", word("FILE"), "the curves, as polylines in a .polylines.txt file (see below); each point goes to the nearest "
-                             "point of the surface, consecutive points are joined by the shortest path on the surface. Open "
-                             "curves may go on from each other, where they have the same end")
-    ("tolerance", word("EPS"), "the largest EPS that is accepted, in the units of the mesh (default: any)")
-    ("surface-tolerance", word("T"), "points may be so far from the surface, in the units of the mesh (default: 1e-5 of the "
-                                     "diagonal of the bounding box)")
-    ("no-stitch", po::bool_switch(), "leave border edges of the mesh apart that lie at the same place")
-    ("version", po::bool_switch(), "print the version")
-    ("help", po::bool_switch(), "print this");
+  others.add_options()("distance", word("D"), "the distance of the offset")(
+    "curves", word("FILE"),
+    "the curves, as polylines in a .polylines.txt file (see below); each point goes to the nearest "
+    "point of the surface, consecutive points are joined by the shortest path on the surface. Open "
+    "curves may go on from each other, where they have the same end")(
+    "tolerance", word("EPS"), "the largest EPS that is accepted, in the units of the mesh (default: any)")(
+    "surface-tolerance", word("T"),
+    "points may be so far from the surface, in the units of the mesh (default: 1e-5 of the "
+    "diagonal of the bounding box)")("no-stitch", po::bool_switch(),
+                                     "leave border edges of the mesh apart that lie at the same place")(
+    "version", po::bool_switch(), "print the version")("help", po::bool_switch(), "print this");
 
   all.add(source_options_description()).add(others);
   return all;
@@ -64,10 +64,8 @@ inline Offset_validation_options checked_offset_validation_options(const po::var
   Offset_validation_options options;
   read_source_options(map, options);
   options.curves = option_word(map, "curves");
-  if(options.curves.empty())
-    throw Usage_error("no --curves given");
-  if(map.count("distance") == 0)
-    throw Usage_error("no --distance given");
+  if(options.curves.empty()) throw Usage_error("no --curves given");
+  if(map.count("distance") == 0) throw Usage_error("no --distance given");
   options.distance = positive_number("distance", map["distance"].as<std::string>());
   options.tolerance = optional_positive_number(map, "tolerance");
   options.surface_tolerance = optional_positive_number(map, "surface-tolerance");

@@ -23,8 +23,8 @@ using Certificate = CGAL::Geodesic_offset_certificate<Face_location>;
 
 class Certificate_writer
 {
-  std::ostream&            m_out;
-  const Mesh&              m_mesh;
+  std::ostream& m_out;
+  const Mesh& m_mesh;
   const Curves_on_surface& m_curves;
 
 public:
@@ -35,21 +35,26 @@ public:
 
   void operator()(const Certificate& c, double diagonal) const
   {
-    line("region", c.bounds_region ? "yes" : "no", c.bounds_region ? "the curves bound a region of the surface" : reason(c.limit));
+    line("region", c.bounds_region ? "yes" : "no",
+         c.bounds_region ? "the curves bound a region of the surface" : reason(c.limit));
     if(!c.bounds_region)
       line("at", place(c), "one place of those where it fails");
     else if(c.limit == CGAL::Offset_certificate_limit::NONE)
       line("tolerance", "0", "the region is the surface, which is nowhere farther away than the distance");
     else
     {
-      line("tolerance", short_number(c.tolerance) + ", " + short_number(c.tolerance / diagonal) + " of the diagonal",
-           "the smallest EPS that is proven: all that is nearer than D - EPS is in the region, and nothing farther than D + EPS");
-      line("at", place(c) + ", distance from " + full_number(c.distance_bounds.first) + " to " +
-                   full_number(c.distance_bounds.second), reason(c.limit));
+      line(
+        "tolerance", short_number(c.tolerance) + ", " + short_number(c.tolerance / diagonal) + " of the diagonal",
+        "the smallest EPS that is proven: all that is nearer than D - EPS is in the region, and nothing farther than D + EPS");
+      line("at",
+           place(c) + ", distance from " + full_number(c.distance_bounds.first) + " to " +
+             full_number(c.distance_bounds.second),
+           reason(c.limit));
     }
     if(c.number_of_reversed_curves != 0)
       line("reversed", std::to_string(c.number_of_reversed_curves),
-           "curves with the region on their right, the first one in line " + std::to_string(m_curves.line(*c.first_reversed_curve)));
+           "curves with the region on their right, the first one in line " +
+             std::to_string(m_curves.line(*c.first_reversed_curve)));
   }
 
 private:
@@ -66,8 +71,7 @@ private:
       const Point p = CGAL::Polygon_mesh_processing::construct_point(*c.location, m_mesh);
       text = short_number(p.x()) + ' ' + short_number(p.y()) + ' ' + short_number(p.z());
     }
-    if(c.curve)
-      text += ", curve in line " + std::to_string(m_curves.line(*c.curve));
+    if(c.curve) text += ", curve in line " + std::to_string(m_curves.line(*c.curve));
     return text;
   }
 

@@ -199,8 +199,11 @@ public:
     const auto end = end_of(p, start);
     const auto& primitive = built().initial.primitives[end.source_ref.primitive()];
     const bool is_there = start.is_at_source();
-    return Nearest_source{primitive.source,  primitive.part, primitive.is_segment,
-                          end.source_ref.side(), Surface::exported(start.distance),
+    return Nearest_source{primitive.source,
+                          primitive.part,
+                          primitive.is_segment,
+                          end.source_ref.side(),
+                          Surface::exported(start.distance),
                           is_there ? surface().location(p) : surface().location(end.point)};
   }
 
@@ -447,10 +450,7 @@ private:
     return Geodesic_offset::internal::Near_path<Number>(unfolded(), b.initial, b.field, !b.is_approximate());
   }
 
-  auto tracing(const Build& b) const
-  {
-    return Geodesic_offset::internal::Path_tracing<Number>(unfolded(), b.initial, b.field);
-  }
+  auto tracing(const Build& b) const { return Geodesic_offset::internal::Path_tracing<Number>(unfolded(), b.initial, b.field); }
 
   // End of the path from p with the given start.
   Geodesic_offset::internal::Suffix_end<Number> end_of(const Located_point& p, const Path_start& start) const

@@ -112,8 +112,8 @@ public:
 #else
   typedef typename Default::Lazy_get<VertexIndexMap, Geodesic_offset::internal::Own_vertex_index_map<Triangle_mesh>>::type
     Vertex_index_map;
-  typedef typename Default::Lazy_get<FaceIndexMap, Geodesic_offset::internal::Own_face_index_map<Triangle_mesh>>::type
-    Face_index_map;
+  typedef
+    typename Default::Lazy_get<FaceIndexMap, Geodesic_offset::internal::Own_face_index_map<Triangle_mesh>>::type Face_index_map;
   typedef typename Default::Lazy_get<VertexPointMap, Geodesic_offset::internal::Own_vertex_point_map<Triangle_mesh>>::type
     Vertex_point_map;
 #endif
@@ -224,7 +224,10 @@ public:
   /// \throws std::invalid_argument as the overload for points, and if the ray is degenerate.
   std::optional<Face_location> locate(const Ray_3& r) const { return locate(r, data().locator().default_tolerance()); }
   /// Overload with a tolerance.
-  std::optional<Face_location> locate(const Ray_3& r, const FT& tolerance) const { return data().locator().locate(r, tolerance); }
+  std::optional<Face_location> locate(const Ray_3& r, const FT& tolerance) const
+  {
+    return data().locator().locate(r, tolerance);
+  }
   /// @}
 
   /// \name Polylines, Sections and Edges
@@ -392,9 +395,9 @@ private:
   static Vertex_index_map vertex_index_map(const Triangle_mesh& tm, const NamedParameters& np)
   {
     if constexpr (Geodesic_offset::internal::has_parameter<internal_np::vertex_index_t, NamedParameters>)
-      return Geodesic_offset::internal::converted_map<Vertex_index_map>(parameters::get_parameter(np, internal_np::vertex_index));
-    else
-      return (void)np, get_initialized_vertex_index_map(tm);
+      return Geodesic_offset::internal::converted_map<Vertex_index_map>(
+        parameters::get_parameter(np, internal_np::vertex_index));
+    else return (void)np, get_initialized_vertex_index_map(tm);
   }
 
   template <class NamedParameters>
@@ -402,17 +405,16 @@ private:
   {
     if constexpr (Geodesic_offset::internal::has_parameter<internal_np::face_index_t, NamedParameters>)
       return Geodesic_offset::internal::converted_map<Face_index_map>(parameters::get_parameter(np, internal_np::face_index));
-    else
-      return (void)np, get_initialized_face_index_map(tm);
+    else return (void)np, get_initialized_face_index_map(tm);
   }
 
   template <class NamedParameters>
   static Vertex_point_map vertex_point_map(const Triangle_mesh& tm, const NamedParameters& np)
   {
     if constexpr (Geodesic_offset::internal::has_parameter<internal_np::vertex_point_t, NamedParameters>)
-      return Geodesic_offset::internal::converted_map<Vertex_point_map>(parameters::get_parameter(np, internal_np::vertex_point));
-    else
-      return (void)np, get(boost::vertex_point, tm);
+      return Geodesic_offset::internal::converted_map<Vertex_point_map>(
+        parameters::get_parameter(np, internal_np::vertex_point));
+    else return (void)np, get(boost::vertex_point, tm);
   }
 
   // The location of a classified point, exactly on the edge or at the vertex; the given one if it is there already.

@@ -25,14 +25,14 @@ the same one, see \ref SurfaceMeshGeodesicOffsetUseQueries.
 template <class FT_, class FaceLocation>
 struct Geodesic_nearest_source
 {
-  std::size_t source;    ///< id of the source, as returned when it was added
-  std::size_t part;      ///< index of the point, or of the segment, within the source; for a set of edges: index of the edge
-                         ///< in the range, or index of the vertex
-  bool is_segment;       ///< whether the path meets a segment (or an edge), at a right angle; the nearest point may be an end of it.
-                         ///< Otherwise the nearest point is a point, or an end or a corner that the path reaches at another angle
-  Source_side side;      ///< side of the source from which the shortest path starts: `NONE` for points and sets of edges, `CAP` for
-                         ///< ends of open polylines, `LEFT` or `RIGHT` for their segments and corners. Without meaning at distance 0
-  FT_ distance;          ///< length of the shortest path
+  std::size_t source; ///< id of the source, as returned when it was added
+  std::size_t part;   ///< index of the point, or of the segment, within the source; for a set of edges: index of the edge
+                      ///< in the range, or index of the vertex
+  bool is_segment;  ///< whether the path meets a segment (or an edge), at a right angle; the nearest point may be an end of it.
+                    ///< Otherwise the nearest point is a point, or an end or a corner that the path reaches at another angle
+  Source_side side; ///< side of the source from which the shortest path starts: `NONE` for points and sets of edges, `CAP` for
+                    ///< ends of open polylines, `LEFT` or `RIGHT` for their segments and corners. Without meaning at distance 0
+  FT_ distance;     ///< length of the shortest path
   FaceLocation location; ///< the nearest point of the source, on the part
 };
 

@@ -18,16 +18,15 @@ namespace CGAL {
 
 \brief says what limits a `Geodesic_offset_certificate`, or why there is none.
 */
-enum class Offset_certificate_limit
-{
-  NONE,             ///< nothing: no point is uncertain
-  CURVE_TOO_NEAR,   ///< a point of a curve whose distance may be smaller than the requested one by the tolerance
-  CURVE_TOO_FAR,    ///< a point of a curve whose distance may be larger by the tolerance
-  REGION_TOO_FAR,   ///< a point of the region, not on a curve, whose distance may be larger by the tolerance
-  SOURCE_OUTSIDE,   ///< a source that is outside of the region, although the region contains another source
-  OPEN_END,         ///< no region: a curve ends inside the surface, and no other curve begins there
-  NOT_JOINED,       ///< no region: consecutive points of a curve are in no common face, or consecutive pieces do not meet
-  NO_REGION         ///< no region: the curves do not separate the surface, as a single loop around the hole of a torus
+enum class Offset_certificate_limit {
+  NONE,           ///< nothing: no point is uncertain
+  CURVE_TOO_NEAR, ///< a point of a curve whose distance may be smaller than the requested one by the tolerance
+  CURVE_TOO_FAR,  ///< a point of a curve whose distance may be larger by the tolerance
+  REGION_TOO_FAR, ///< a point of the region, not on a curve, whose distance may be larger by the tolerance
+  SOURCE_OUTSIDE, ///< a source that is outside of the region, although the region contains another source
+  OPEN_END,       ///< no region: a curve ends inside the surface, and no other curve begins there
+  NOT_JOINED,     ///< no region: consecutive points of a curve are in no common face, or consecutive pieces do not meet
+  NO_REGION       ///< no region: the curves do not separate the surface, as a single loop around the hole of a torus
 };
 
 /*!

@@ -50,7 +50,7 @@ struct Geodesic_plane_section
   std::vector<EdgeDescriptor> touched_edges;
 
   std::vector<VertexDescriptor> touched_vertices; ///< vertices where the plane touches the surface, and no edge there
-  std::size_t number_of_faces_in_plane = 0; ///< faces within the plane; the section has the border of their union instead
+  std::size_t number_of_faces_in_plane = 0;       ///< faces within the plane; the section has the border of their union instead
 };
 
 } // namespace CGAL

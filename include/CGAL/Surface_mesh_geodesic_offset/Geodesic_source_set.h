@@ -51,8 +51,7 @@ public:
   typedef std::pair<face_descriptor, std::array<FT, 3>> Face_location;
 
   /// the kinds of sources
-  enum class Kind : unsigned char
-  {
+  enum class Kind : unsigned char {
     VERTEX,          ///< a vertex
     LOCATION,        ///< a point anywhere on the surface
     OPEN_POLYLINE,   ///< a polyline from its first point to its last one

@@ -66,8 +66,7 @@ public:
   /// the index of the first level that is larger than `d`; `size()` if there is none. Takes logarithmic time at most.
   std::size_t first_above(const FT& d) const
   {
-    if (m_count == 0)
-      return std::size_t(std::upper_bound(m_distances.begin(), m_distances.end(), d) - m_distances.begin());
+    if (m_count == 0) return std::size_t(std::upper_bound(m_distances.begin(), m_distances.end(), d) - m_distances.begin());
     if (CGAL::is_negative(d)) return 0;
     const double q = CGAL::to_double(d) / CGAL::to_double(m_spacing);
     if (!(q < 1e15)) return m_count;

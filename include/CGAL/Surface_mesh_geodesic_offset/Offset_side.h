@@ -11,8 +11,7 @@ namespace CGAL {
 /// \ingroup PkgSurfaceMeshGeodesicOffsetEnums
 /// the side of the source from which the shortest path to a point of the surface starts. Left and right refer to the
 /// direction of travel along a polyline, seen from the outside of the surface.
-enum class Source_side : unsigned char
-{
+enum class Source_side : unsigned char {
   NONE = 0,  ///< the source is a point or a set of edges, which have no sides
   LEFT = 1,  ///< left of a polyline
   RIGHT = 2, ///< right of a polyline
@@ -22,8 +21,7 @@ enum class Source_side : unsigned char
 /// \ingroup PkgSurfaceMeshGeodesicOffsetEnums
 /// the side of polylines on which offset curves are requested. Sources without sides (points, sets of edges) are offset in
 /// all directions whatever the value is.
-enum class Offset_side : unsigned char
-{
+enum class Offset_side : unsigned char {
   BOTH,   ///< both sides of polylines
   LEFT,   ///< only points whose nearest source point is reached from the left of its polyline
   RIGHT,  ///< only points whose nearest source point is reached from the right of its polyline
@@ -35,8 +33,7 @@ enum class Offset_side : unsigned char
 
 /// \ingroup PkgSurfaceMeshGeodesicOffsetEnums
 /// the cap style at the ends of open polylines.
-enum class Offset_end : unsigned char
-{
+enum class Offset_end : unsigned char {
   ROUND, ///< points beyond an end belong to the offset, whichever side is requested
   BUTT   ///< points beyond an end do not belong to the offset; the curve is open there
 };

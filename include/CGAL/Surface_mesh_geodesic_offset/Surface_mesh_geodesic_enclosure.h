@@ -284,7 +284,6 @@ public:
   /// @}
 
 private:
-
   struct Build
   {
     Build(const Certified_mesh& mesh, const Geodesic_offset::internal::Initial_windows<double>& initial, bool keeps)
@@ -301,7 +300,8 @@ private:
   auto add_curve(Certification& certification, const Offset_curve& curve, int) const -> decltype(curve.pieces(), true)
   {
     const auto unit = [&](const auto& p) {
-      return Geodesic_offset::internal::Point_in_face<double>{m_certified_mesh->to_unit(p.x()), m_certified_mesh->to_unit(p.y())};
+      return Geodesic_offset::internal::Point_in_face<double>{m_certified_mesh->to_unit(p.x()),
+                                                              m_certified_mesh->to_unit(p.y())};
     };
     std::vector<Certification::Arc> arcs;
     for (const auto& piece : curve.pieces())
@@ -326,8 +326,8 @@ private:
     c.tolerance = m_certified_mesh->from_unit(r.excess);
     c.limit = r.limit;
     if (r.face != Geodesic_offset::internal::no_index)
-      c.location = data().surface().location(
-        r.face, {m_certified_mesh->from_unit(r.place.x), m_certified_mesh->from_unit(r.place.y)});
+      c.location =
+        data().surface().location(r.face, {m_certified_mesh->from_unit(r.place.x), m_certified_mesh->from_unit(r.place.y)});
     c.distance_bounds = {m_certified_mesh->from_unit(r.bounds.first), m_certified_mesh->from_unit(r.bounds.second)};
     if (r.curve != Geodesic_offset::internal::no_curve) c.curve = r.curve;
     c.number_of_reversed_curves = r.reversed.size();

@@ -125,8 +125,7 @@ public:
     BOOST_FORCEINLINE void operator()(FT& x, FT& y, FT& sigma, bool is_parallel, const FT& ox, const FT& oy, const FT& c,
                                       const FT& s) const
     {
-      if (is_parallel)
-        sigma = sigma - (x * ox + y * oy);
+      if (is_parallel) sigma = sigma - (x * ox + y * oy);
       else
       {
         x -= ox;
@@ -147,8 +146,7 @@ public:
         const Pair shift = image * o;
         sigma = sigma - (shift.first() + shift.second());
       }
-      else
-        image = image - o;
+      else image = image - o;
       (*this)(image, c, s);
     }
 
@@ -208,8 +206,7 @@ public:
       const T left = b * slope;
       const T r0 = x * ay, r1 = y * ax;
       // slope, the three products, two differences: six roundings of at most the magnitudes below
-      if constexpr (is_filtered)
-        bound = T(1e-15) * (std::abs(b) * (std::abs(ay) + std::abs(y)) + std::abs(r0) + std::abs(r1));
+      if constexpr (is_filtered) bound = T(1e-15) * (std::abs(b) * (std::abs(ay) + std::abs(y)) + std::abs(r0) + std::abs(r1));
       return left - (r0 - r1);
     }
 
@@ -243,8 +240,7 @@ public:
     /// returns whether the ray meets the edge and, if so, sets the exit: `t` is at most `length`, and `distance` is the distance
     /// at `t` unless `is_rough`. `d` is the distance at `(b, 0)`.
     BOOST_FORCEINLINE bool operator()(const FT& x, const FT& y, const FT& sigma, bool is_parallel, const FT& b, const FT& d,
-                                      const FT& c, const FT& s, const FT& length, FT& t, FT& distance,
-                                      bool& is_rough) const
+                                      const FT& c, const FT& s, const FT& length, FT& t, FT& distance, bool& is_rough) const
     {
       const FT den = is_parallel ? FT(s * x - c * y) : FT(s * (x - b) - c * y);
       if (!CGAL::is_positive(den)) return false;

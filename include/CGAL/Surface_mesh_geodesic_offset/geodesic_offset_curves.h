@@ -80,8 +80,7 @@ OutputIterator geodesic_offset_curves(const TriangleMesh& tm, const Sources& sou
   const auto wanted = internal::offset_levels<typename Call::Surface>(levels);
   const Call call(tm, sources, np);
   auto request = call.request();
-  if (!wanted.is_unlimited() && wanted.size() > 0)
-    request.maximum = (std::min)(request.maximum, wanted[wanted.size() - 1]);
+  if (!wanted.is_unlimited() && wanted.size() > 0) request.maximum = (std::min)(request.maximum, wanted[wanted.size() - 1]);
   auto build = call.build(request);
   const auto write = internal::curve_writer<Geodesic_offset_curve_type<TriangleMesh, NamedParameters>>(out);
   internal::propagate_and_cut<typename Call::Concurrency_tag>(call.data(), build, wanted, internal::Offset_selection(np), write);

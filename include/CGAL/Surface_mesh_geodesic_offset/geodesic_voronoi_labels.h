@@ -32,8 +32,7 @@ The label of a vertex is the id of its nearest source. Vertices that no path rea
 \pre All faces of `tm` are triangles with three different vertices.
 \throws std::invalid_argument and other exceptions as `geodesic_distances()`
 */
-template <class TriangleMesh, class Sources, class VertexLabelMap,
-          class NamedParameters = parameters::Default_named_parameters>
+template <class TriangleMesh, class Sources, class VertexLabelMap, class NamedParameters = parameters::Default_named_parameters>
 void geodesic_voronoi_labels(const TriangleMesh& tm, const Sources& sources, VertexLabelMap labels,
                              const NamedParameters& np = parameters::default_values())
 {

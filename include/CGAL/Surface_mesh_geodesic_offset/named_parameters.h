@@ -49,8 +49,8 @@ typedef Joined_tags<Selection_parameters, Build_parameters> Build_and_offset_par
 typedef Joined_tags<Joined_tags<Mesh_parameters, Update_parameters>, Parameter_tags<internal_np::geodesic_distance_limit_t>>
   Path_call_parameters;
 typedef Joined_tags<Mesh_parameters, Update_parameters> Voronoi_call_parameters;
-typedef Joined_tags<Path_call_parameters, Parameter_tags<internal_np::geodesic_relative_tolerance_t,
-                                                         internal_np::geodesic_merging_tolerance_t>>
+typedef Joined_tags<Path_call_parameters,
+                    Parameter_tags<internal_np::geodesic_relative_tolerance_t, internal_np::geodesic_merging_tolerance_t>>
   Approximate_call_parameters;
 typedef Joined_tags<Selection_parameters, Approximate_call_parameters> Offset_call_parameters;
 typedef Joined_tags<Approximate_call_parameters, Parameter_tags<internal_np::geodesic_targets_t>> Distance_call_parameters;

@@ -67,8 +67,7 @@ OutputIterator shortest_path_to_sources(const TriangleMesh& tm, const From& from
   const auto build = call.propagated(request);
   const auto& surface = call.data().surface();
   const auto write = [&](const auto& p) {
-    if constexpr (std::is_assignable<decltype(*out++), typename Call::Mesh::Face_location>::value)
-      *out++ = surface.location(p);
+    if constexpr (std::is_assignable<decltype(*out++), typename Call::Mesh::Face_location>::value) *out++ = surface.location(p);
     else *out++ = surface.point(p);
   };
   const auto way = internal::start_of_path(surface.unfolded, *build, start);

@@ -65,8 +65,9 @@ private:
       const double limit = has_limit ? bytes_.weight() * largest_ : test::infinity;
       const double relative = is_coarse ? std::pow(10, -2. - double(bytes_.index(8))) : 0;
       const bool finds_farthest = bytes_.flag();
-      const auto parameters = CGAL::parameters::keep_windows(keeps).distance_limit(limit).relative_tolerance(relative)
-                                .compute_largest_distance(finds_farthest);
+      const auto parameters =
+        CGAL::parameters::keep_windows(keeps).distance_limit(limit).relative_tolerance(relative).compute_largest_distance(
+          finds_farthest);
       geodesic.build(parameters);
       compare_vertices(data, geodesic, limit, relative);
       if (has_limit || is_coarse) continue;
@@ -75,8 +76,7 @@ private:
       compare_queries(data, geodesic, relative);
       for (std::size_t q = 0; q < c_.queries.size(); ++q)
         compare_path(geodesic, test::Certified_search::location(data, c_, c_.queries[q]), reference_.of_query(q));
-      for (std::size_t v = 0; v < c_.points.size(); ++v)
-        compare_path(geodesic, data.vertices[v], reference_.of_vertex(v));
+      for (std::size_t v = 0; v < c_.points.size(); ++v) compare_path(geodesic, data.vertices[v], reference_.of_vertex(v));
     }
   }
 
@@ -146,8 +146,8 @@ private:
   {
     const double allowed = tolerance(expected);
     const bool is_right = expected > limit - allowed && !(actual < test::infinity)
-                            ? true // beyond the limit
-                            : actual <= expected + allowed && actual >= expected * (1 - relative) - allowed;
+                          ? true // beyond the limit
+                          : actual <= expected + allowed && actual >= expected * (1 - relative) - allowed;
     if (!is_right)
       test::fail_fuzzing(std::string(what) + ' ' + std::to_string(i) + ": " + std::to_string(actual) + " instead of " +
                          std::to_string(expected) + ", off by " + std::to_string(1e12 * (actual - expected)) + "e-12");

@@ -32,7 +32,8 @@ class Offsets
 {
 public:
   Offsets(test::Fuzz_bytes& bytes, const test::Fuzz_case& fuzz_case)
-    : bytes_(bytes), size_(fuzz_case.size()), flatness_(fuzz_case.flatness()), data_(test::soup_of(fuzz_case.certified_case())), geodesic_(data_.mesh)
+    : bytes_(bytes), size_(fuzz_case.size()), flatness_(fuzz_case.flatness()), data_(test::soup_of(fuzz_case.certified_case())),
+      geodesic_(data_.mesh)
   {
     const test::Certified_case& c = fuzz_case.certified_case();
     for (std::size_t v : c.source_vertices) geodesic_.add_source_point(data_.vertices[v]);
@@ -52,7 +53,8 @@ public:
       const double level = draw_level();
       if (!(level > 1e-9 * size_)) continue;
       for (const auto f : data_.mesh.faces())
-        oracle.compare(tracing, geodesic_.field_index(f), level, [](const std::string& text) { std::cerr << text << std::endl; });
+        oracle.compare(tracing, geodesic_.field_index(f), level,
+                       [](const std::string& text) { std::cerr << text << std::endl; });
       if (oracle.counts.differences() > 0) test::fail_fuzzing("the oracle has other curves");
       levels.push_back(level);
     }
@@ -77,7 +79,8 @@ private:
   {
     const double tolerance = size_ * std::pow(10, -1. - double(bytes_.index(6)));
     for (const auto& curve : curves) test::check_thin_polyline(curve, tolerance, size_);
-    if (test::Report::instance().failures() > 0) test::fail_fuzzing("a polyline for a curve, tolerance " + std::to_string(tolerance));
+    if (test::Report::instance().failures() > 0)
+      test::fail_fuzzing("a polyline for a curve, tolerance " + std::to_string(tolerance));
   }
 
   // A curve crosses a smallest cell straight, with distances that differ from the level by up to its diameter. The certificate
@@ -87,7 +90,8 @@ private:
   {
     double longest_edge = 0;
     for (const auto e : data_.mesh.edges())
-      longest_edge = (std::max)(longest_edge, double(CGAL::Polygon_mesh_processing::edge_length(data_.mesh.halfedge(e), data_.mesh)));
+      longest_edge =
+        (std::max)(longest_edge, double(CGAL::Polygon_mesh_processing::edge_length(data_.mesh.halfedge(e), data_.mesh)));
     const double strip = 0x1p-12 * longest_edge;
     if (level < strip) return strip;
     return 2 * CGAL::Geodesic_offset::internal::Offset_tolerances<double>(level + longest_edge).smallest_cell;
@@ -113,7 +117,8 @@ private:
     if (!certificate.bounds_region) test::fail_fuzzing("no region at the level " + std::to_string(level));
     const double largest = largest_tolerance(level);
     if (!(certificate.tolerance <= largest))
-      test::fail_fuzzing("certified only within " + std::to_string(certificate.tolerance / largest) + " times the largest tolerance");
+      test::fail_fuzzing("certified only within " + std::to_string(certificate.tolerance / largest) +
+                         " times the largest tolerance");
   }
 
   double draw_level()

@@ -16,8 +16,8 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
-  static const std::string paths[] = {"file.off", "file.obj", "file.ply", "file.stl", "file.polylines.txt", "file.txt",
-                                      "file.table.ply"};
+  static const std::string paths[] = {"file.off",           "file.obj", "file.ply",      "file.stl",
+                                      "file.polylines.txt", "file.txt", "file.table.ply"};
   if (size < 2) return 0;
   const std::vector<char> bytes(data + 1, data + size); // an exact copy
   try

@@ -29,8 +29,8 @@ namespace test {
 
 struct Mutation_tally
 {
-  std::size_t   accepted = 0, rejected = 0;
-  double        slowest = 0; // seconds of processor time
+  std::size_t accepted = 0, rejected = 0;
+  double slowest = 0; // seconds of processor time
   std::uint64_t slowest_seed = 0;
 };
 
@@ -109,7 +109,7 @@ private:
 /// only meshes, and polylines or curves. A file that causes a fault is written to the current folder and named on standard error.
 /// Returns the tallies by extension, and the number of these files, at most 20.
 inline std::pair<std::map<std::string, Mutation_tally>, int> run_mutations(std::uint64_t count, std::uint64_t seed,
-                                                                         const std::string& program = "")
+                                                                           const std::string& program = "")
 {
   constexpr double most_seconds = 5; // elapsed
   std::vector<Sample_file> samples = sample_meshes();
@@ -140,9 +140,8 @@ inline std::pair<std::map<std::string, Mutation_tally>, int> run_mutations(std::
     const auto clock_start = std::chrono::steady_clock::now();
     try
     {
-      const bool is_accepted = tested.is_given()
-                                 ? tested.accepts(extension, text)
-                                 : read_input("file" + extension, std::string_view(bytes.data(), bytes.size()));
+      const bool is_accepted = tested.is_given() ? tested.accepts(extension, text)
+                                                 : read_input("file" + extension, std::string_view(bytes.data(), bytes.size()));
       ++(is_accepted ? tally.accepted : tally.rejected);
       const double seconds = processor_seconds() - start;
       if (seconds > tally.slowest)

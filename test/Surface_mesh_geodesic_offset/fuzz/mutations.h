@@ -44,35 +44,42 @@ private:
     const std::size_t at = below(bytes.size() + 1);
     switch (below(13))
     {
-    case 0: if (at < bytes.size()) bytes[at] = static_cast<char>(below(256)); break;
-    case 1: if (at < bytes.size()) bytes[at] = static_cast<char>(bytes[at] ^ (1 << below(8))); break;
+    case 0:
+      if (at < bytes.size()) bytes[at] = static_cast<char>(below(256));
+      break;
+    case 1:
+      if (at < bytes.size()) bytes[at] = static_cast<char>(bytes[at] ^ (1 << below(8)));
+      break;
     case 2: bytes.insert(at, 1, static_cast<char>(below(256))); break;
     case 3: bytes.erase(at, 1 + below(below(2) == 0 ? 3 : 100)); break;
     case 4: bytes.resize(at); break;
-    case 5: case 6: case 7: replace_word(bytes, at, below(2) == 0 ? number() : keyword()); break;
+    case 5:
+    case 6:
+    case 7: replace_word(bytes, at, below(2) == 0 ? number() : keyword()); break;
     case 8: replace_word(bytes, at, ""); break;
     case 9: copy_line(bytes, at); break;
     case 10: erase_line(bytes, at); break;
     case 11: overwrite(bytes, at); break;
-    default:
-      const std::size_t from = below(other.size());
-      bytes.replace(at, below(40), other, from, below(60));
+    default: const std::size_t from = below(other.size()); bytes.replace(at, below(40), other, from, below(60));
     }
   }
 
   std::string number()
   {
+    // clang-format off
     static const char* const numbers[] = {
       "-1", "0", "1", "2", "3", "4", "5", "6", "7", "100", "255", "256", "65535", "65536", "2147483647", "2147483648",
       "4294967295", "4294967296", "4294967297", "9223372036854775808", "18446744073709551615", "18446744073709551616",
       "99999999999999999999999999", "-2147483648", "-2147483649", "1e999", "-1e999", "1e-400", "1e308", "nan", "-nan", "inf",
       "-inf", "1.5", "0x10", "1e", "e5", ".", "-", "+", "+-1", "--1", "1,5", "1#2", "1/2/3", "/", "//", "5/", "-9", "1.#IND",
       "NAN(5)", "00000000000000000003", "3.0", "1_000"};
+    // clang-format on
     return numbers[below(sizeof(numbers) / sizeof(numbers[0]))];
   }
 
   std::string keyword()
   {
+    // clang-format off
     static const char* const words[] = {
       "OFF", "COFF", "NOFF", "STOFF", "4OFF", "nOFF", "STCN4nOFF", "SKEL", "BINARY", "v", "vt", "f", "l", "#", "\\\n", "ply",
       "format", "ascii", "binary_little_endian", "binary_big_endian", "1.0", "comment", "element", "vertex", "vertices", "face",
@@ -80,6 +87,7 @@ private:
       "y", "z", "vertex_indices", "vertex_index", "end_header", "solid", "facet", "normal", "outer", "loop", "endloop",
       "endfacet", "endsolid", "distance", "\n", "\r", "\r\n", "\t", "\xef\xbb\xbf", "property list uchar int x",
       "element nothing 1000000000", "property uchar a\nproperty list int int b"};
+    // clang-format on
     return words[below(sizeof(words) / sizeof(words[0]))];
   }
 
@@ -121,8 +129,23 @@ private:
   // Writes a special number of a binary file.
   void overwrite(std::string& bytes, std::size_t at)
   {
-    static const std::uint64_t patterns[] = {0, 1, 3, 0xff, 0x7f, 0x80, 0xffff, 0x7fffffff, 0x80000000, 0xffffffff, 0x7f800000,
-                                             0x7fc00000, 0x00000100, 0x01000000, 0xffffffffffffffff, 0x7ff0000000000000};
+    static const std::uint64_t patterns[] = {
+      0,
+      1,
+      3,
+      0xff,
+      0x7f,
+      0x80,
+      0xffff,
+      0x7fffffff,
+      0x80000000,
+      0xffffffff,
+      0x7f800000,
+      0x7fc00000,
+      0x00000100,
+      0x01000000,
+      0xffffffffffffffff,
+      0x7ff0000000000000};
     const std::uint64_t pattern = patterns[below(sizeof(patterns) / sizeof(patterns[0]))];
     const std::size_t size = std::size_t(1) << below(4);
     const bool is_reversed = below(2) == 0;

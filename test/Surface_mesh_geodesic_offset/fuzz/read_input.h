@@ -55,19 +55,17 @@ inline bool read_input(const std::string& path, std::string_view bytes)
   {
     if (has_extension(path, ".polylines.txt"))
       for (const File_polyline& polyline : parse_polylines(path, bytes)) require(!polyline.points.empty(), "an empty polyline");
-    else if (has_extension(path, ".table.ply"))
-      check_table(Ply_table_reader(path, mesh, vertices)(bytes, ""), vertices);
-    else if (has_extension(path, ".txt"))
-      check_table(Text_table_reader(path, mesh, vertices)(bytes), vertices);
-    else
-      check_soup(parse_soup(mesh_format(path), path, bytes));
+    else if (has_extension(path, ".table.ply")) check_table(Ply_table_reader(path, mesh, vertices)(bytes, ""), vertices);
+    else if (has_extension(path, ".txt")) check_table(Text_table_reader(path, mesh, vertices)(bytes), vertices);
+    else check_soup(parse_soup(mesh_format(path), path, bytes));
     return true;
   }
   catch (const Input_error& error)
   {
     const std::string text = error.what();
     require(text.find(quoted(path)) != std::string::npos, "an error that does not name the file");
-    require(text.find('\n') == std::string::npos || one_line(text).find('\n') == std::string::npos, "an error of several lines");
+    require(text.find('\n') == std::string::npos || one_line(text).find('\n') == std::string::npos,
+            "an error of several lines");
     require(text.size() < 1000, "a long error");
     return false;
   }

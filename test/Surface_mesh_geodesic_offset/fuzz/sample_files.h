@@ -61,10 +61,10 @@ inline std::string ply_number(const std::string& type, int value, bool is_ascii,
 
 struct Ply_variant
 {
-  int         format; // 0 ASCII, 1 little endian, 2 big endian
+  int format; // 0 ASCII, 1 little endian, 2 big endian
   std::string coordinate, count, index;
-  bool        has_others = false; // other elements and properties, also lists
-  bool        faces_first = false;
+  bool has_others = false; // other elements and properties, also lists
+  bool faces_first = false;
 };
 
 inline std::string ply_file(const Ply_variant& variant)
@@ -79,7 +79,8 @@ inline std::string ply_file(const Ply_variant& variant)
   std::string vertex_header = "element vertex 5\n", face_header = "element face 5\n", vertices, faces;
   if (others) vertex_header += "property list uchar short weights\n";
   for (const char* c : {"x", "y", "z"})
-    vertex_header += "property " + variant.coordinate + ' ' + c + "\n" + (others ? std::string("property float n") + c + "\n" : "");
+    vertex_header +=
+      "property " + variant.coordinate + ' ' + c + "\n" + (others ? std::string("property float n") + c + "\n" : "");
   if (others) face_header += "property uchar red\n";
   face_header += "property list " + variant.count + ' ' + variant.index + " vertex_indices\n";
   if (others) face_header += "property list int double weights\n";
@@ -90,8 +91,7 @@ inline std::string ply_file(const Ply_variant& variant)
       vertices += number("uchar", static_cast<int>(i));
       for (std::size_t k = 0; k < i; ++k) vertices += number("short", -7);
     }
-    for (int c : surface.points[i])
-      vertices += number(variant.coordinate, c) + (others ? number("float", 1) : "");
+    for (int c : surface.points[i]) vertices += number(variant.coordinate, c) + (others ? number("float", 1) : "");
     vertices += end;
   }
   for (const auto& polygon : surface.polygons)
@@ -228,20 +228,23 @@ inline std::vector<Sample_file> sample_meshes()
             files.push_back({keyword, ".off", off_text(keyword)});
             files.push_back({keyword + " BINARY", ".off", off_binary(keyword)});
           }
-  files.push_back({"OFF on one line", ".off", "OFF 5 5 0 # sizes\n\n0 0 0\n4 0 0\n4 5 0 255 0 0\n+0 .5e1 -0\n2. 20E-1 9 # apex\n"
-                                              "4 0 3 2 1 0.5 0.5 0.5\n3 0 1 4\n3 1 2 4 # side\n3 2 3\n 4\n3 3 0 4"});
+  files.push_back({"OFF on one line", ".off",
+                   "OFF 5 5 0 # sizes\n\n0 0 0\n4 0 0\n4 5 0 255 0 0\n+0 .5e1 -0\n2. 20E-1 9 # apex\n"
+                   "4 0 3 2 1 0.5 0.5 0.5\n3 0 1 4\n3 1 2 4 # side\n3 2 3\n 4\n3 3 0 4"});
   files.push_back({"OFF with a byte order mark", ".off", "\xef\xbb\xbf" + off_text("OFF")});
 
-  files.push_back({"OBJ", ".obj", "# a pyramid\nmtllib none\no pyramid\nv 0 0 0\nv 4 0 0\nv 4 5 0\nv 0 5 0\nv 2 2 9\n"
-                                  "vn 0 0 1\nvt 0 0\ng sides\nusemtl none\nf 1 4 3 2\ns off\nf 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n"});
+  files.push_back({"OBJ", ".obj",
+                   "# a pyramid\nmtllib none\no pyramid\nv 0 0 0\nv 4 0 0\nv 4 5 0\nv 0 5 0\nv 2 2 9\n"
+                   "vn 0 0 1\nvt 0 0\ng sides\nusemtl none\nf 1 4 3 2\ns off\nf 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n"});
   files.push_back({"OBJ with all kinds of indices", ".obj",
                    "v 0 0 0 1\nv 4 0 0 1 0 0\nf 1/1 4/2 3 2\nv 4 5 0\nv 0 5 0\nvt 0 0\nv 2 2 9\n\tf 1//1 2//1 5//1\n"
                    "f 2/1/1 3/1/1 5/1/1\nf -3 -2 -1\nf -2/1/-1 -5 -1 # closed\nl 1 2\np 1\n"});
-  files.push_back({"OBJ with continued lines", ".obj", "v 0 0 \\\n0\nv 4 0 0\nv 4 5 0\nv 0 5 0\nv 2 2 9\nf 1 4 3 \\\r\n2\n"
-                                                       "f 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 \\\n1 \\\n5"});
+  files.push_back({"OBJ with continued lines", ".obj",
+                   "v 0 0 \\\n0\nv 4 0 0\nv 4 5 0\nv 0 5 0\nv 2 2 9\nf 1 4 3 \\\r\n2\n"
+                   "f 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 \\\n1 \\\n5"});
 
-  const char* types[] = {"char",  "uchar",  "short", "ushort", "int",   "uint",   "float",   "double",
-                         "int8",  "uint8",  "int16", "uint16", "int32", "uint32", "float32", "float64"};
+  const char* types[] = {"char", "uchar", "short", "ushort", "int",   "uint",   "float",   "double",
+                         "int8", "uint8", "int16", "uint16", "int32", "uint32", "float32", "float64"};
   for (int format = 0; format < 3; ++format)
   {
     const std::string name = format == 0 ? "ASCII PLY, " : format == 1 ? "little endian PLY, " : "big endian PLY, ";

@@ -25,10 +25,7 @@ typedef CGAL::Surface_mesh_geodesic_offset<Traits> Geodesic_offset;
 std::size_t number_of_sources(const Geodesic_offset& geodesic_offset);
 
 // Distances are correct up to rounding; a level is cut below itself by a fraction of 2^-42.
-bool is_near(double found, double expected, double tolerance = 1e-14)
-{
-  return std::abs(found - expected) <= tolerance;
-}
+bool is_near(double found, double expected, double tolerance = 1e-14) { return std::abs(found - expected) <= tolerance; }
 
 int main()
 {
@@ -49,10 +46,8 @@ int main()
   geodesic_offset.offset_curves(0.5, std::back_inserter(curves));
 
   const double quarter_circle = std::atan(1.0);
-  const bool is_right = is_near(distance, std::sqrt(2.0)) &&
-                        number_of_sources(geodesic_offset) == 1 && curves.size() == 1 &&
-                        !curves.front().is_closed() &&
-                        is_near(curves.front().length(), quarter_circle, 3e-13);
+  const bool is_right = is_near(distance, std::sqrt(2.0)) && number_of_sources(geodesic_offset) == 1 && curves.size() == 1 &&
+                        !curves.front().is_closed() && is_near(curves.front().length(), quarter_circle, 3e-13);
   std::cout << "distance " << distance << ", " << curves.size() << " offset curve(s)\n";
   return is_right ? EXIT_SUCCESS : EXIT_FAILURE;
 }

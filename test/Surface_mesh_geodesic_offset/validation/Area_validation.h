@@ -81,9 +81,9 @@ public:
       m_report.undecided_share += share;
       m_report.worst_undecided_share = (std::max)(m_report.worst_undecided_share, share);
       m_report.check(AREA, found->second >= low - tolerance(face) && found->second <= high + tolerance(face), [&] {
-        return "the near part of face " + std::to_string(faces[i]) + " is " +
-               validation_text(found->second / face.area()) + " by the curves, " + validation_text(low / face.area()) +
-               " to " + validation_text(high / face.area()) + " by the field";
+        return "the near part of face " + std::to_string(faces[i]) + " is " + validation_text(found->second / face.area()) +
+               " by the curves, " + validation_text(low / face.area()) + " to " + validation_text(high / face.area()) +
+               " by the field";
       });
     }
   }
@@ -112,8 +112,7 @@ private:
   // Upper bound of the distance of points of curves from their level.
   double tolerance(const Validation_face& face) const
   {
-    return m_options.level_tolerance * m_surface.diagonal() *
-           (face.edge_length(0) + face.edge_length(1) + face.edge_length(2));
+    return m_options.level_tolerance * m_surface.diagonal() * (face.edge_length(0) + face.edge_length(1) + face.edge_length(2));
   }
 
   // Returns false if entries and exits do not alternate.
@@ -138,8 +137,8 @@ private:
     return true;
   }
 
-  static double twice_area_along_boundary(const Validation_face& face, const Validation_gate& from,
-                                          const Validation_gate& to, const Point& o)
+  static double twice_area_along_boundary(const Validation_face& face, const Validation_gate& from, const Validation_gate& to,
+                                          const Point& o)
   {
     double area = 0;
     int k = int(from.halfedge % 3);
@@ -171,12 +170,11 @@ private:
     return boundary_is_near(level, f) ? m_surface.face_at(f).area() : 0;
   }
 
-  void add_bounds(const Validation_face& face, const Per_corner<Point>& corner, double cut, std::size_t depth,
-                  double& low, double& high) const
+  void add_bounds(const Validation_face& face, const Per_corner<Point>& corner, double cut, std::size_t depth, double& low,
+                  double& high) const
   {
     const Point middle = (1. / 3) * (corner[0] + (corner[1] + corner[2]));
-    const double radius =
-      (std::max)({length(corner[0] - middle), length(corner[1] - middle), length(corner[2] - middle)});
+    const double radius = (std::max)({length(corner[0] - middle), length(corner[1] - middle), length(corner[2] - middle)});
     const double area = cross(corner[1] - corner[0], corner[2] - corner[0]) / 2;
     const double d = m_surface.distance_at(face, middle);
     if (d - radius >= cut) return;

@@ -35,8 +35,8 @@ public:
       return a->face != b->face ? a->face < b->face : a->low.x < b->low.x;
     });
     for (std::size_t i = 0; i < pieces.size(); ++i)
-      for (std::size_t j = i + 1; j < pieces.size() && pieces[j]->face == pieces[i]->face &&
-                                  pieces[j]->low.x <= pieces[i]->high.x; ++j)
+      for (std::size_t j = i + 1;
+           j < pieces.size() && pieces[j]->face == pieces[i]->face && pieces[j]->low.x <= pieces[i]->high.x; ++j)
         if (pieces[i]->may_meet(*pieces[j])) check(*pieces[i], *pieces[j]);
   }
 

@@ -52,8 +52,7 @@ public:
       is_in_one_face = is_in_one_face && piece.face() == curve.piece(0).face();
       if (i + 1 < n) check_joint(piece, curve.piece(i + 1), level);
     }
-    if (curve.is_closed())
-      check_joint(curve.piece(n - 1), curve.piece(0), level);
+    if (curve.is_closed()) check_joint(curve.piece(n - 1), curve.piece(0), level);
     else
     {
       check_end(curve.piece(0), true, level);
@@ -85,17 +84,15 @@ private:
     {
       const Location l = plain(at_start ? piece.start() : piece.end());
       const double off = length(face.point(l.second) - (at_start ? plane.start : plane.end));
-      m_report.check(CLOSEDNESS, l.first == plane.face && off <= tolerance, [&] {
-        return "an end's location is " + validation_text(off) + " from its point" + where(plane.face);
-      });
+      m_report.check(CLOSEDNESS, l.first == plane.face && off <= tolerance,
+                     [&] { return "an end's location is " + validation_text(off) + " from its point" + where(plane.face); });
       const double off_circle = plane.off(at_start ? plane.start : plane.end);
       m_report.check(ON_LEVEL, off_circle <= tolerance, [&] {
         return "an end is " + validation_text(off_circle) + " off its circle or line" + where(plane.face);
       });
     }
-    const std::size_t n = plane.chord() <= tolerance
-                            ? 1
-                            : (std::max)(std::size_t(4), piece.number_of_chords(1e-5 * m_surface.diagonal()));
+    const std::size_t n =
+      plane.chord() <= tolerance ? 1 : (std::max)(std::size_t(4), piece.number_of_chords(1e-5 * m_surface.diagonal()));
     for (std::size_t i = 0; i < n + (is_last ? 1 : 0); ++i)
     {
       const Location l = plain(piece.location(double(i) / double(n)));
@@ -108,8 +105,7 @@ private:
       ++m_report.points;
       m_report.worst_off_level = (std::max)(m_report.worst_off_level, off / m_surface.diagonal());
       m_report.check(ON_LEVEL, off <= tolerance, [&] {
-        return "a point is off its level by " + validation_text(off / m_surface.diagonal()) + " diagonals" +
-               where(plane.face);
+        return "a point is off its level by " + validation_text(off / m_surface.diagonal()) + " diagonals" + where(plane.face);
       });
     }
   }
@@ -119,8 +115,7 @@ private:
   {
     const double tolerance = m_options.level_tolerance * m_surface.diagonal();
     if (!(plane.chord() > 4 * tolerance)) return;
-    m_report.check(ORIENTATION, plane.runs_forward(),
-                   [&] { return "a piece runs backwards" + where(plane.face); });
+    m_report.check(ORIENTATION, plane.runs_forward(), [&] { return "a piece runs backwards" + where(plane.face); });
     const Validation_face face = m_surface.face_at(plane.face);
     const Point m = plane.middle(), left = plane.left_at(m);
     double way = face.exit_distance(m, left);
@@ -138,9 +133,8 @@ private:
   void check_joint(const Piece& a, const Piece& b, Validation_level& level) const
   {
     const Location end = plain(a.end()), start = plain(b.start());
-    const double gap =
-      Surface::distance(m_surface.point(end.first, end.second), m_surface.point(start.first, start.second)) /
-      m_surface.diagonal();
+    const double gap = Surface::distance(m_surface.point(end.first, end.second), m_surface.point(start.first, start.second)) /
+                       m_surface.diagonal();
     m_report.worst_joint = (std::max)(m_report.worst_joint, gap);
     m_report.check(CLOSEDNESS, gap <= m_options.joint_tolerance, [&] {
       return "pieces are " + validation_text(gap) + " diagonals apart, from face " + std::to_string(end.first) + " to " +
@@ -155,8 +149,7 @@ private:
         h = 3 * end.first + k;
     }
     if (!m_report.check(CLOSEDNESS, h != no_index, [&] {
-          return "pieces join over no edge, from face " + std::to_string(end.first) + " to " +
-                 std::to_string(start.first);
+          return "pieces join over no edge, from face " + std::to_string(end.first) + " to " + std::to_string(start.first);
         }))
       return;
     const Index g = m_surface.twin(h);
@@ -176,8 +169,7 @@ private:
       if (l.second[(k + 2) % 3] == 0 && m_surface.twin(3 * l.first + k) == no_index && (h == no_index || !is_far_end))
         h = 3 * l.first + k;
     }
-    if (!m_report.check(CLOSEDNESS, h != no_index,
-                        [&] { return "an open curve ends inside the surface" + where(l.first); }))
+    if (!m_report.check(CLOSEDNESS, h != no_index, [&] { return "an open curve ends inside the surface" + where(l.first); }))
       return;
     level.add_crossing(m_surface, h, l.second[(h + 1) % 3], is_start);
     level.add_gate(h, l.second[(h + 1) % 3], is_start);

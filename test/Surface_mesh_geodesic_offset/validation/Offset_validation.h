@@ -43,8 +43,7 @@ public:
   typedef typename Geodesic::Triangle_mesh Triangle_mesh;
   typedef typename Geodesic::Offset_curve Offset_curve;
 
-  Offset_validation(const Geodesic& geodesic, const Triangle_mesh& tm,
-                    const Validation_options& options = Validation_options())
+  Offset_validation(const Geodesic& geodesic, const Triangle_mesh& tm, const Validation_options& options = Validation_options())
     : m_options(options), m_surface(geodesic, tm)
   {
   }
@@ -85,8 +84,8 @@ private:
     return "level " + std::to_string(level.number) + ", " + validation_text(level.level) + ": ";
   }
 
-  void sort_in(const std::vector<Offset_curve>& curves, const std::vector<FT>& levels,
-               std::vector<Validation_level>& all, Validation_report& report) const
+  void sort_in(const std::vector<Offset_curve>& curves, const std::vector<FT>& levels, std::vector<Validation_level>& all,
+               Validation_report& report) const
   {
     const Curve_validation<Geodesic> walk(m_surface, m_options, report);
     for (const Offset_curve& curve : curves)

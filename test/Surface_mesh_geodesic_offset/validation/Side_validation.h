@@ -28,8 +28,7 @@ public:
   typedef Validation_face::Weights Weights;
 
   Side_validation(const Surface& surface, const Validation_options& options, Validation_report& report)
-    : m_surface(surface), m_options(options), m_report(report),
-      m_tolerance(options.level_tolerance * surface.diagonal())
+    : m_surface(surface), m_options(options), m_report(report), m_tolerance(options.level_tolerance * surface.diagonal())
   {
   }
 
@@ -65,8 +64,7 @@ private:
     });
     if (n % 2 == (separating ? 1u : 0u))
       m_report.check(ORIENTATION, level.sum_of_steps(h) == level.is_near[v] - level.is_near[u], [&] {
-        return "crossings in the wrong direction, of the edge from " + at_vertex(u, level) + " to " +
-               at_vertex(v, level);
+        return "crossings in the wrong direction, of the edge from " + at_vertex(u, level) + " to " + at_vertex(v, level);
       });
     check_along_edge(h, level, random);
   }

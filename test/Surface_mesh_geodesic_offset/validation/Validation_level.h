@@ -23,7 +23,7 @@ namespace internal {
 struct Validation_gate
 {
   Index halfedge; // of the face
-  double t; // from its source, 0, to its target, 1
+  double t;       // from its source, 0, to its target, 1
   bool is_start;
 };
 
@@ -31,8 +31,8 @@ struct Validation_gate
 struct Validation_crossing
 {
   Index edge; // the smaller of its halfedge indices
-  double t; // along this halfedge
-  int step; // 1 if the near region begins along the halfedge, -1 if it ends
+  double t;   // along this halfedge
+  int step;   // 1 if the near region begins along the halfedge, -1 if it ends
 };
 
 struct Validation_level
@@ -47,7 +47,7 @@ struct Validation_level
   std::vector<Validation_piece> pieces;
   std::vector<Validation_gate> gates;
   std::vector<Validation_crossing> crossings;
-  std::vector<Index> loops; // faces of curves that stay in one face
+  std::vector<Index> loops;  // faces of curves that stay in one face
   std::vector<char> is_near; // per vertex: 0, 1, or either_side
 
   // Records the exit of a curve from the face of a halfedge, or the entry. The smaller distances are on the left of the

@@ -59,10 +59,7 @@ struct Validation_piece
   }
 
   // Distance of a point from the whole circle or line.
-  double off(const Point& p) const
-  {
-    return std::abs((is_straight ? dot(center, p) : length(p - center)) - radius);
-  }
+  double off(const Point& p) const { return std::abs((is_straight ? dot(center, p) : length(p - center)) - radius); }
 
   double chord() const { return length(end - start); }
 
@@ -127,8 +124,8 @@ struct Validation_piece
     for (int i = 0; i < n; ++i)
     {
       if (!reaches(p[i]) || !b.reaches(p[i])) continue;
-      const double rest = (std::min)({apart, length(p[i] - start), length(p[i] - end), length(p[i] - b.start),
-                                      length(p[i] - b.end)});
+      const double rest =
+        (std::min)({apart, length(p[i] - start), length(p[i] - end), length(p[i] - b.start), length(p[i] - b.end)});
       depth = (std::max)(depth, rest * std::abs(cross(left_at(p[i]), b.left_at(p[i]))) / 2);
     }
     return depth;

@@ -18,16 +18,15 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-enum Validation_kind : unsigned char
-{
-  CLOSEDNESS, // pieces are joined; open curves begin and end on the border
-  ON_LEVEL, // points of curves are at the distance of the curve
+enum Validation_kind : unsigned char {
+  CLOSEDNESS,  // pieces are joined; open curves begin and end on the border
+  ON_LEVEL,    // points of curves are at the distance of the curve
   EDGE_PARITY, // an edge is crossed an odd number of times iff its ends are on different sides
-  SEPARATION, // points of an edge or a face are on different sides iff curves separate them
+  SEPARATION,  // points of an edge or a face are on different sides iff curves separate them
   ORIENTATION, // the smaller distances are on the left
   NO_CROSSING, // curves of one level do not cross in any face
-  NESTING, // curves of different levels do not cross; near regions grow with the level
-  AREA, // the near area of a face from the curves agrees with bounds from the field
+  NESTING,     // curves of different levels do not cross; near regions grow with the level
+  AREA,        // the near area of a face from the curves agrees with bounds from the field
   NUMBER_OF_VALIDATION_KINDS
 };
 
@@ -47,9 +46,9 @@ inline std::string validation_text(double x)
 
 struct Validation_options
 {
-  std::size_t probes = 1000; // points in faces per level (at least `probes_in_face` per face)
-  std::size_t probes_in_face = 3; // per face that the level may pass through
-  std::size_t quadrature_faces = 8; // faces per level whose area is compared with the field
+  std::size_t probes = 1000;         // points in faces per level (at least `probes_in_face` per face)
+  std::size_t probes_in_face = 3;    // per face that the level may pass through
+  std::size_t quadrature_faces = 8;  // faces per level whose area is compared with the field
   std::size_t quadrature_depth = 12; // bisections of a face: two more halve the undecided area
   std::size_t largest_number_of_texts = 20;
   unsigned seed = 1;
@@ -57,7 +56,7 @@ struct Validation_options
   // Lengths in diagonals of the bounding box. The joint of two arcs that meet at a small angle is less accurate than a
   // distance, and so are the distances of points from their level.
   double joint_tolerance = 1e-12; // between the end of a piece and the start of the next one
-  double level_tolerance = 1e-9; // of points from their level; also of crossing depth
+  double level_tolerance = 1e-9;  // of points from their level; also of crossing depth
 };
 
 class Validation_report
@@ -65,9 +64,7 @@ class Validation_report
 public:
   typedef std::array<std::size_t, NUMBER_OF_VALIDATION_KINDS> Counts;
 
-  explicit Validation_report(std::size_t largest_number_of_texts = 20) : m_largest_number_of_texts(largest_number_of_texts)
-  {
-  }
+  explicit Validation_report(std::size_t largest_number_of_texts = 20) : m_largest_number_of_texts(largest_number_of_texts) {}
 
   // `text` returns the description of a failure; it is called for the first failures only.
   template <class Text>
@@ -122,16 +119,16 @@ public:
   }
 
   std::size_t curves = 0, closed_curves = 0, pieces = 0;
-  std::size_t points = 0; // whose distance was computed
-  std::size_t loops_in_faces = 0; // closed curves that stay in one face
-  std::size_t most_loops_in_face = 0; // of one level
-  std::size_t separating_edges = 0; // with ends on different sides
-  std::size_t undecided_vertices = 0; // whose side rounding leaves undecided
+  std::size_t points = 0;                                     // whose distance was computed
+  std::size_t loops_in_faces = 0;                             // closed curves that stay in one face
+  std::size_t most_loops_in_face = 0;                         // of one level
+  std::size_t separating_edges = 0;                           // with ends on different sides
+  std::size_t undecided_vertices = 0;                         // whose side rounding leaves undecided
   std::size_t separated_on_edges = 0, separated_in_faces = 0; // neighbouring probes on different sides
-  std::size_t compared_pairs = 0; // pieces close to each other
-  std::size_t oriented_pieces = 0; // long enough to determine the side of the smaller distances
-  std::size_t areas = 0; // compared with the field
-  double undecided_share = 0; // sum over these areas of the undecided fraction of the face
+  std::size_t compared_pairs = 0;                             // pieces close to each other
+  std::size_t oriented_pieces = 0;                            // long enough to determine the side of the smaller distances
+  std::size_t areas = 0;                                      // compared with the field
+  double undecided_share = 0;                                 // sum over these areas of the undecided fraction of the face
   double worst_undecided_share = 0;
   double worst_joint = 0, worst_off_level = 0, worst_crossing = 0; // in diagonals
 

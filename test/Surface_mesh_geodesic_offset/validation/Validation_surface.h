@@ -192,8 +192,7 @@ public:
   // Twice the area from the two shorter sides: the difference of long ones would lose digits.
   Face face_at(Index f) const
   {
-    const Point_in_space &a = m_point[m_origin[3 * f]], &b = m_point[m_origin[3 * f + 1]],
-                         &c = m_point[m_origin[3 * f + 2]];
+    const Point_in_space &a = m_point[m_origin[3 * f]], &b = m_point[m_origin[3 * f + 1]], &c = m_point[m_origin[3 * f + 2]];
     const Point_in_space u[3] = {difference(b, a), difference(c, b), difference(a, c)};
     int longest = 0;
     for (int k : {1, 2})

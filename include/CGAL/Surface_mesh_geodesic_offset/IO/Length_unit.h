@@ -11,8 +11,7 @@ namespace IO {
 
 /// \ingroup PkgSurfaceMeshGeodesicOffsetEnums
 /// \brief The unit of the coordinates of a mesh, for the file formats with a unit: DXF and SVG. No coordinate is converted.
-enum class Length_unit
-{
+enum class Length_unit {
   NONE,       ///< unknown: the file has no unit
   MILLIMETER, ///< mm
   CENTIMETER, ///< cm

@@ -102,10 +102,8 @@ private:
       while (start < m_n && is_same((start + m_n - 1) % m_n, start)) ++start;
     if (start == m_n) return false;
     for (std::size_t k = 0; k < m_n; ++k)
-      if (k == 0 || !is_same(m_runs.back().first, (start + k) % m_n))
-        m_runs.push_back({(start + k) % m_n, 1});
-      else
-        ++m_runs.back().count;
+      if (k == 0 || !is_same(m_runs.back().first, (start + k) % m_n)) m_runs.push_back({(start + k) % m_n, 1});
+      else ++m_runs.back().count;
     const bool several = m_runs.size() > 1;
     if (!several) m_runs.clear();
     return several;
@@ -125,16 +123,15 @@ private:
     const Run& run = m_runs[r];
     const double z = m_heights[run.first];
     const auto from_above = [](const Coordinates& c) { return Plane_point{c[0], c[1]}; };
-    const std::vector<Plane_piece> pieces = is_whole ? plane_pieces(m_curve, from_above)
-                                                     : plane_pieces(m_curve, run.first, run.count, from_above);
+    const std::vector<Plane_piece> pieces =
+      is_whole ? plane_pieces(m_curve, from_above) : plane_pieces(m_curve, run.first, run.count, from_above);
     Dxf_polyline p = polyline(is_whole, true);
     for (const Plane_piece& piece : pieces)
       for_each_part(piece, CGAL_PI * (1 + 1e-12), [&](const Plane_piece& part) {
         p.vertices.push_back({{part.start[0], part.start[1], z}, std::tan(part.sweep / 4)});
       });
     // every polyline has at least two vertices, however short the curve
-    if (!p.is_closed || p.vertices.size() < 2)
-      p.vertices.push_back({{pieces.back().end[0], pieces.back().end[1], z}, 0});
+    if (!p.is_closed || p.vertices.size() < 2) p.vertices.push_back({{pieces.back().end[0], pieces.back().end[1], z}, 0});
     return p;
   }
 

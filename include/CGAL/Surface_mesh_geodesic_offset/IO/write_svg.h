@@ -80,10 +80,8 @@ inline void write_path(std::ostream& os, const Svg_path& path)
   os << "<path d=\"M" << path.pieces.front().start[0] << ' ' << -path.pieces.front().start[1];
   for (const Plane_piece& piece : path.pieces)
     for_each_part(piece, largest_sweep * (1 + 1e-12), [&](const Plane_piece& part) {
-      if (part.is_arc())
-        os << " A" << part.radius << ' ' << part.radius << " 0 0 " << (part.sweep > 0 ? 0 : 1) << ' ';
-      else
-        os << " L";
+      if (part.is_arc()) os << " A" << part.radius << ' ' << part.radius << " 0 0 " << (part.sweep > 0 ? 0 : 1) << ' ';
+      else os << " L";
       os << part.end[0] << ' ' << -part.end[1];
     });
   os << (path.is_closed ? " Z\"/>\n" : "\"/>\n");
@@ -93,7 +91,10 @@ inline void write_path(std::ostream& os, const Svg_path& path)
 inline void write_length(std::ostream& os, const char* attribute, double length, Length_unit unit)
 {
   os << ' ' << attribute << "=\"" << (unit == Length_unit::METER ? 1000 * length : length)
-     << (unit == Length_unit::INCH ? "in" : unit == Length_unit::CENTIMETER ? "cm" : "mm") << '"';
+     << (unit == Length_unit::INCH         ? "in"
+         : unit == Length_unit::CENTIMETER ? "cm"
+                                           : "mm")
+     << '"';
 }
 
 } // namespace Surface_mesh_geodesic_offset_internal

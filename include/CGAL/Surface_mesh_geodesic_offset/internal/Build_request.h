@@ -31,7 +31,7 @@ struct Build_request
 {
   FT maximum = Number_policy<FT>::infinity();
   bool keeps_windows = false;
-  std::vector<Surface_point<FT>> targets; // stop when all of them are final; empty: no such condition
+  std::vector<Surface_point<FT>> targets;   // stop when all of them are final; empty: no such condition
   std::function<bool(double)> goes_on = {}; // called with the completed fraction; false stops the build
   Merging_tolerance<FT> tolerance = {};
   bool finds_farthest = false; // also compute the largest distance, including face interiors

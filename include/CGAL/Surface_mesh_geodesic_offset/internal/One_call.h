@@ -59,10 +59,7 @@ public:
   }
 
   // The build before its propagation.
-  Build build(const Request& request) const
-  {
-    return Build(data().unfolded(), classified_sources(data(), m_sources), request);
-  }
+  Build build(const Request& request) const { return Build(data().unfolded(), classified_sources(data(), m_sources), request); }
 
   // The build after its propagation, without offset curves.
   std::unique_ptr<const Build> propagated(const Request& request) const

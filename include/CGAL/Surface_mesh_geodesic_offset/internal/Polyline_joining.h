@@ -137,8 +137,7 @@ private:
       {
         const Surface& surface = m_whole.m_surface;
         m_vertices.push_back(vertex);
-        points.push_back(
-          converted_point<typename Traits::Point_3, Number>(get(surface.vpm, surface.vertex_of[vertex])));
+        points.push_back(converted_point<typename Traits::Point_3, Number>(get(surface.vpm, surface.vertex_of[vertex])));
       }
       return it->second;
     }
@@ -164,10 +163,7 @@ private:
         passed.push_back({no_index, m_vertices[p.element], m_vertices[p.element], Number(0)});
     }
 
-    static bool is_at(Index vertex, const Surface_point& p)
-    {
-      return p.kind == Surface_point::VERTEX && p.element == vertex;
-    }
+    static bool is_at(Index vertex, const Surface_point& p) { return p.kind == Surface_point::VERTEX && p.element == vertex; }
 
     const Polyline_joining& m_whole;
     const std::vector<Index> m_faces; // in the whole mesh
@@ -181,8 +177,7 @@ private:
     Point_in_face<Number> unused;
     unsigned edges;
     const std::vector<Index> faces = faces_of(m_mesh, p);
-    return std::any_of(faces.begin(), faces.end(),
-                       [&](Index f) { return position_in_face(m_mesh, q, f, unused, edges); });
+    return std::any_of(faces.begin(), faces.end(), [&](Index f) { return position_in_face(m_mesh, q, f, unused, edges); });
   }
 
   // Upper bound of the distance: the length of a path along edges that is straight in the first and the last face.

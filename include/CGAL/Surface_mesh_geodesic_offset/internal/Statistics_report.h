@@ -24,8 +24,8 @@ void report(const Geodesic_offset_statistics& s, const NamedParameters& np)
   if constexpr (has_parameter<internal_np::verbose_t, NamedParameters>)
     if (parameters::get_parameter(np, internal_np::verbose))
       std::clog << "Surface_mesh_geodesic_offset: " << s.windows_propagated << " windows propagated, " << s.windows_peak
-                << " at one time, " << s.pieces << " pieces of offset curves, "
-                << s.propagation_seconds + s.offset_seconds << " s\n";
+                << " at one time, " << s.pieces << " pieces of offset curves, " << s.propagation_seconds + s.offset_seconds
+                << " s\n";
 }
 
 } // namespace internal

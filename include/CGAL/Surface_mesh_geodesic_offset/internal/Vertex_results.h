@@ -37,8 +37,7 @@ void write_source_labels(const Geodesic_mesh_data<Surface>& mesh, const Build& b
   {
     const Index i = surface.index_of(v);
     const bool has_distance = Number_policy<typename Surface::Number>::is_finite(build.field.distance[i]);
-    put(map, v,
-        has_distance ? std::size_t(build.initial.source_of[build.field.source_ref[i].primitive()]) : no_source_label);
+    put(map, v, has_distance ? std::size_t(build.initial.source_of[build.field.source_ref[i].primitive()]) : no_source_label);
   }
 }
 

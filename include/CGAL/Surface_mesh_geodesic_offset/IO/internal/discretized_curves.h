@@ -33,9 +33,7 @@ class Full_precision
 {
 public:
   explicit Full_precision(std::ostream& os)
-    : m_os(os),
-      m_precision(os.precision(std::numeric_limits<double>::max_digits10)),
-      m_flags(os.flags()),
+    : m_os(os), m_precision(os.precision(std::numeric_limits<double>::max_digits10)), m_flags(os.flags()),
       m_locale(os.imbue(std::locale::classic()))
   {
     m_os.flags(std::ios_base::dec);
@@ -86,10 +84,7 @@ Coordinates coordinates(const Point_3& p)
 
 inline Bbox_3 bbox(const Coordinates& p) { return Bbox_3(p[0], p[1], p[2], p[0], p[1], p[2]); }
 
-inline void write_coordinates(std::ostream& os, const Coordinates& p)
-{
-  os << p[0] << ' ' << p[1] << ' ' << p[2];
-}
+inline void write_coordinates(std::ostream& os, const Coordinates& p) { os << p[0] << ' ' << p[1] << ' ' << p[2]; }
 
 // Points of a curve within a tolerance, with the index of the piece of each point; a point between two pieces belongs to
 // the first of them. A closed curve repeats its first point.

@@ -35,7 +35,7 @@ struct Dxf_polyline
 {
   std::size_t layer = 0;
   bool is_horizontal = false; // may have bulges; all points have the height of the first
-  bool is_closed = false; // the first point is not repeated
+  bool is_closed = false;     // the first point is not repeated
   std::vector<Dxf_vertex> vertices;
 };
 
@@ -45,8 +45,8 @@ class Dxf_document
 public:
   explicit Dxf_document(std::ostream& os) : m_os(os) {}
 
-  void write(const std::vector<std::string>& layers, const std::vector<Dxf_polyline>& polylines,
-             const Bbox_3& box, Length_unit unit)
+  void write(const std::vector<std::string>& layers, const std::vector<Dxf_polyline>& polylines, const Bbox_3& box,
+             Length_unit unit)
   {
     header(layers.size(), polylines, box, unit);
     m_os << "0\nSECTION\n2\nCLASSES\n0\nENDSEC\n";
@@ -57,10 +57,8 @@ public:
     m_os << "0\nENDSEC\n0\nSECTION\n2\nENTITIES\n";
     m_next = first_entity(layers.size());
     for (const Dxf_polyline& p : polylines)
-      if (p.is_horizontal)
-        flat_polyline(p, layers[p.layer]);
-      else
-        spatial_polyline(p, layers[p.layer]);
+      if (p.is_horizontal) flat_polyline(p, layers[p.layer]);
+      else spatial_polyline(p, layers[p.layer]);
     m_os << "0\nENDSEC\n";
     objects();
     m_os << "0\nEOF\n";
@@ -114,8 +112,7 @@ private:
     group(100, class_name);
   }
 
-  void header(std::size_t number_of_layers, const std::vector<Dxf_polyline>& polylines,
-              const Bbox_3& box, Length_unit unit)
+  void header(std::size_t number_of_layers, const std::vector<Dxf_polyline>& polylines, const Bbox_3& box, Length_unit unit)
   {
     std::size_t next = first_entity(number_of_layers);
     for (const Dxf_polyline& p : polylines) next += p.is_horizontal ? 1 : p.vertices.size() + 2;

@@ -22,10 +22,7 @@ namespace Surface_mesh_geodesic_offset_internal {
 
 inline double dot(const Coordinates& p, const Coordinates& q) { return p[0] * q[0] + p[1] * q[1] + p[2] * q[2]; }
 
-inline Coordinates difference(const Coordinates& p, const Coordinates& q)
-{
-  return {p[0] - q[0], p[1] - q[1], p[2] - q[2]};
-}
+inline Coordinates difference(const Coordinates& p, const Coordinates& q) { return {p[0] - q[0], p[1] - q[1], p[2] - q[2]}; }
 
 inline Coordinates cross(const Coordinates& p, const Coordinates& q)
 {
@@ -54,10 +51,7 @@ public:
   }
 
   // True if a corner of one of the faces lies in the plane.
-  bool contains(const Coordinates& p) const
-  {
-    return std::abs(dot(m_normal, difference(p, m_point))) <= m_tolerance;
-  }
+  bool contains(const Coordinates& p) const { return std::abs(dot(m_normal, difference(p, m_point))) <= m_tolerance; }
 
   Plane_point operator()(const Coordinates& p) const { return {dot(m_x, p), dot(m_y, p)}; }
 
@@ -110,10 +104,10 @@ public:
     for_each_face(curves, [this](const std::array<Coordinates, 3>& c, const auto& curve, std::size_t number) {
       for (const Coordinates& p : c)
         if (!this->contains(p))
-          throw std::invalid_argument("the curves do not lie in one plane: curve " + std::to_string(number) +
-                                      ", at distance " + short_number(CGAL::to_double(curve.distance())) +
-                                      ", crosses a face with the vertex (" + short_number(p[0]) + ", " + short_number(p[1]) +
-                                      ", " + short_number(p[2]) + ") outside of the plane");
+          throw std::invalid_argument("the curves do not lie in one plane: curve " + std::to_string(number) + ", at distance " +
+                                      short_number(CGAL::to_double(curve.distance())) + ", crosses a face with the vertex (" +
+                                      short_number(p[0]) + ", " + short_number(p[1]) + ", " + short_number(p[2]) +
+                                      ") outside of the plane");
     });
   }
 

@@ -130,8 +130,7 @@ inline bool is_continued(const Plane_piece& p, const Plane_piece& q)
     same_point * (p.radius + (std::max)(largest_coordinate(p.start, p.end), largest_coordinate(q.start, q.end))) +
     same_curve * (p.radius + plane_distance(p.start, p.end) + plane_distance(q.start, q.end));
   const auto is_on_curve = [&](const Plane_point& x) {
-    if (p.is_arc())
-      return std::abs(plane_distance(x, p.center) - p.radius) <= tolerance;
+    if (p.is_arc()) return std::abs(plane_distance(x, p.center) - p.radius) <= tolerance;
     return std::abs((x[0] - p.start[0]) * p.center[1] - (x[1] - p.start[1]) * p.center[0]) <= tolerance;
   };
   if (!is_on_curve(q.end)) return false;
@@ -176,10 +175,8 @@ std::vector<Plane_piece> plane_pieces(const Curve& curve, std::size_t first, std
       p.center = frame.vector(piece.supporting_line().to_vector());
       p.radius = 0;
     }
-    if (!pieces.empty() && is_continued(pieces.back(), p))
-      add_continuation(pieces.back(), p);
-    else
-      pieces.push_back(p);
+    if (!pieces.empty() && is_continued(pieces.back(), p)) add_continuation(pieces.back(), p);
+    else pieces.push_back(p);
     p.start = p.end;
   }
   if (pieces.empty())

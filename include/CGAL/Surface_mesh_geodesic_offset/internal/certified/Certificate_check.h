@@ -88,8 +88,8 @@ public:
   void check_entry(const Certified_window& w, double entry, double error) const
   {
     const Precise_image& p = *w.precise;
-    const Precise e = p.is_parallel ? Precise(m_apex.x - m_apex.y * (p.x / p.y))
-                                    : Precise(p.x + (m_apex.x - p.x) * (p.y / (p.y - m_apex.y)));
+    const Precise e =
+      p.is_parallel ? Precise(m_apex.x - m_apex.y * (p.x / p.y)) : Precise(p.x + (m_apex.x - p.x) * (p.y / (p.y - m_apex.y)));
     check_certificate(boost::multiprecision::abs(entry - e) <= error, "entry of the ray to an apex");
   }
 
@@ -98,8 +98,7 @@ public:
   {
     const Precise_image& p = *w.precise;
     if (is_turned) check_certificate(denominator(p, to_left, to_left ? w.b0 : w.b1) <= 0, "window without a child");
-    else
-      check_certificate(unfolded(p, to_left).y >= -2 * Precise(w.error_of_image()) * (2 + m_length), "window along an edge");
+    else check_certificate(unfolded(p, to_left).y >= -2 * Precise(w.error_of_image()) * (2 + m_length), "window along an edge");
   }
 
   // The child contains all exits of the rays from the near end to `far`; paths to all its points are within its radius.
@@ -215,8 +214,7 @@ inline void check_envelope(const Certified_window* first, const Certified_window
       const bool is_represented = std::any_of(envelope.begin(), envelope.end(), [&](const Certified_window& x) {
         if (!(x.b0 <= t && t <= x.b1)) return false;
         const Precise_image &p = *w->precise, &q = *x.precise;
-        if (p.is_parallel == q.is_parallel &&
-            boost::multiprecision::abs(p.sigma - q.sigma) <= x.radius + w->error_of_image() &&
+        if (p.is_parallel == q.is_parallel && boost::multiprecision::abs(p.sigma - q.sigma) <= x.radius + w->error_of_image() &&
             precise_length(p.x - q.x, p.y - q.y) <= w->error_of_image() + x.error_of_image())
           return true;
         return q.distance(t) + x.radius < d - w->radius;
@@ -245,15 +243,13 @@ public:
     const Index first = border == no_index ? corner : border;
     Precise angle = back, total = 0, sum = 0;
     Index c = first;
-    do
-    {
+    do {
       if (c == corner) angle += total;
       total += mesh[c].angle;
       c = unfolded.corner_ccw(c);
     } while (c != no_index && c != first);
     c = first;
-    do
-    {
+    do {
       const Precise end = sum + mesh[c].angle;
       if (border == no_index) check_part(c, angle + pi - sum, angle + total - pi - sum);
       else
@@ -280,18 +276,15 @@ private:
     // Paths through vertices cover rays along the edges of the corner; sectors below the flatness of non-pseudo-sources may
     // be missing.
     if (!(to - from > Precise(Certified_mesh::flat) * 64)) return;
-    const auto exit = [&](const Precise& a) {
-      return mesh[e].length - mesh[h].length * sin(a) / sin(a + mesh[e].angle);
-    };
+    const auto exit = [&](const Precise& a) { return mesh[e].length - mesh[h].length * sin(a) / sin(a + mesh[e].angle); };
     const Precise b0 = to < angle ? exit(to) : Precise(0), b1 = from > 0 ? exit(from) : mesh[e].length;
     const auto windows = m_windows.find(h);
     check_certificate(windows != m_windows.end(), "corner of a sector");
     const double length = m_mesh.length(e);
-    check_certificate(std::any_of(windows->second.begin(), windows->second.end(),
-                                  [&](const std::pair<double, double>& w) {
-                                    return w.first <= b0 && (w.second >= b1 || w.second >= length);
-                                  }),
-                      "rays of a sector");
+    check_certificate(
+      std::any_of(windows->second.begin(), windows->second.end(),
+                  [&](const std::pair<double, double>& w) { return w.first <= b0 && (w.second >= b1 || w.second >= length); }),
+      "rays of a sector");
   }
 
   const Certified_mesh& m_mesh;

@@ -47,8 +47,8 @@ public:
     const Index left = mesh.twin(mesh.previous(h)), right = mesh.twin(mesh.next(h));
     // bounds for all children: distances grow by less than `across`, radii by less than 4 length_error times that
     const double across = face.length + face.left_length + face.right_length;
-    const double margin = pruning_margin(m_largest_radius + 16 * image_error * (m_farthest + across + 1),
-                                         m_farthest + across, 4 * across);
+    const double margin =
+      pruning_margin(m_largest_radius + 16 * image_error * (m_farthest + across + 1), m_farthest + across, 4 * across);
     Certified_pruning by_left(face.left_length, dp, dr, margin), by_right(face.right_length, dr, dq, margin);
     // the far vertices in the frames of the exits: q seen from p -> r, p seen from r -> q
     by_left.set_far_vertex(face.cl * face.length, -face.sl * face.length, dq);
@@ -102,7 +102,7 @@ private:
   struct Sorted
   {
     Exit exit;
-    double lowest; // BOTH: lower bound of the distance at the apex
+    double lowest;  // BOTH: lower bound of the distance at the apex
     double lateral; // excess length of a path to the apex: zero if the apex is certainly in the rays
   };
 
@@ -137,8 +137,8 @@ private:
       {
         list.split_distance = d + error;
         list.split_entry = face.entry_of_apex(w);
-        CGAL_GEODESIC_OFFSET_CERTIFICATE(face.certificate().check_entry(
-          w, list.split_entry, face.error_of_entry(list.split_distance, list.split_entry));)
+        CGAL_GEODESIC_OFFSET_CERTIFICATE(
+          face.certificate().check_entry(w, list.split_entry, face.error_of_entry(list.split_distance, list.split_entry));)
       }
       // direction back to the image, in the frame of the corner at the apex
       const Point_in_face<double> v = face.from_apex(w);
@@ -146,8 +146,7 @@ private:
                                        face.sl * v.x - face.cl * v.y};
       const double away = std::abs(v.x) + std::abs(v.y);
       const double angle = length_error * (1 + (face.length + face.left_length) / away) + 4 * w.error_of_image() / away;
-      m_state.arrive(apex, d, error, back,
-                     angle CGAL_GEODESIC_OFFSET_CERTIFICATE(, {face.certificate().direction_at_apex(w)}));
+      m_state.arrive(apex, d, error, back, angle CGAL_GEODESIC_OFFSET_CERTIFICATE(, {face.certificate().direction_at_apex(w)}));
     }
     best = list.split_distance;
     entry = list.split_entry;
@@ -159,8 +158,15 @@ private:
     const int side = face.clear_side(w, is_certain);
     if (is_certain)
     {
-      CGAL_GEODESIC_OFFSET_CERTIFICATE(face.certificate().check_side(w, w.b0, side > 0 ? POSITIVE : side < 0 ? ZERO : NEGATIVE);
-                                       face.certificate().check_side(w, w.b1, side < 0 ? NEGATIVE : side > 0 ? ZERO : POSITIVE);)
+      CGAL_GEODESIC_OFFSET_CERTIFICATE(
+        face.certificate().check_side(w, w.b0,
+                                      side > 0   ? POSITIVE
+                                      : side < 0 ? ZERO
+                                                 : NEGATIVE);
+        face.certificate().check_side(w, w.b1,
+                                      side < 0   ? NEGATIVE
+                                      : side > 0 ? ZERO
+                                                 : POSITIVE);)
       return side < 0 ? LEFT : side > 0 ? RIGHT : BOTH;
     }
     const Sign from = face.side_of_apex(w, w.b0);

@@ -27,9 +27,8 @@ public:
   typedef Certified_window Window;
 
   Certified_bisector(const Window& a, const Window& b, double length)
-    : m_a(a), m_b(b),
-      m_margin(a.radius + b.radius + 2 * (a.error_of_image() + b.error_of_image()) +
-               2 * length_error * ((std::max)((std::max)(a.d0, a.d1), (std::max)(b.d0, b.d1)) + length))
+    : m_a(a), m_b(b), m_margin(a.radius + b.radius + 2 * (a.error_of_image() + b.error_of_image()) +
+                               2 * length_error * ((std::max)((std::max)(a.d0, a.d1), (std::max)(b.d0, b.d1)) + length))
   {
   }
 
@@ -58,10 +57,7 @@ public:
 
   // True if a minimum of the absolute difference may lie between two points at which the same window is certainly farther:
   // a for `of` = 1, b for `of` = -1.
-  bool may_turn_between(int of, double from, double to) const
-  {
-    return int(slope(from)) * of <= 0 && int(slope(to)) * of >= 0;
-  }
+  bool may_turn_between(int of, double from, double to) const { return int(slope(from)) * of <= 0 && int(slope(to)) * of >= 0; }
 
   // Approximate test for a stationary point between two points.
   bool may_turn(double from, double to) const

@@ -46,8 +46,9 @@ public:
     }
     while (m_order.has_later()) insert(m_order.pop_later(), length);
     CGAL_GEODESIC_OFFSET_CERTIFICATE(check_envelope(first, last, m_envelope);)
-    CGAL_postcondition(std::is_sorted(m_envelope.begin(), m_envelope.end(),
-                                      [](const Window& a, const Window& b) { return a.b0 < b.b0; }));
+    CGAL_postcondition(std::is_sorted(m_envelope.begin(), m_envelope.end(), [](const Window& a, const Window& b) {
+      return a.b0 < b.b0;
+    }));
     return m_envelope;
   }
 
@@ -130,14 +131,11 @@ private:
 
   void add(const Window& w)
   {
-    if (m_envelope.empty() || w.b0 > m_envelope.back().b1 + gap())
-      m_envelope.push_back(w);
+    if (m_envelope.empty() || w.b0 > m_envelope.back().b1 + gap()) m_envelope.push_back(w);
     else if (const double difference = difference_of_images(m_envelope.back(), w); difference <= merging(w))
       unite(m_envelope.back(), w, difference + 2 * (std::max)(w.b0 - m_envelope.back().b1, 0.));
-    else if (w.b0 >= m_envelope.back().b1)
-      m_envelope.push_back(w);
-    else
-      resolve(w);
+    else if (w.b0 >= m_envelope.back().b1) m_envelope.push_back(w);
+    else resolve(w);
   }
 
   // No other ray fits between neighbours of one image with a smaller gap.
@@ -190,13 +188,10 @@ private:
       if (w.b1 <= a.b1) return;
       Window rest = w;
       rest.set_interval((std::max)(w.b0, a.b1 - gap()), w.b1);
-      if (rest.b0 > w.b0)
-        m_order.push_later(rest);
-      else
-        m_envelope.push_back(rest);
+      if (rest.b0 > w.b0) m_order.push_later(rest);
+      else m_envelope.push_back(rest);
     }
-    else if (a.radius + difference > w.radius)
-      m_envelope.push_back(w);
+    else if (a.radius + difference > w.radius) m_envelope.push_back(w);
     else
     { // keep the rays of the unpropagated window a that are not in w
       Window rest = a;
@@ -227,16 +222,12 @@ private:
     const bool a_stays = of_a.size() > 0 && of_a[0].from <= a.b0, w_stays = of_w.size() > 0 && of_w[0].from <= w.b0;
     for (int i = a_stays ? 1 : 0; i < of_a.size(); ++i) push_part(a, of_a[i]);
     for (int i = w_stays ? 1 : 0; i < of_w.size(); ++i) push_part(w, of_w[i]);
-    if (a_stays)
-      cut(a, of_a[0]);
-    else
-      m_envelope.pop_back();
+    if (a_stays) cut(a, of_a[0]);
+    else m_envelope.pop_back();
     if (!w_stays) return;
     cut(w, of_w[0]);
-    if (a_stays)
-      m_envelope.push_back(w);
-    else
-      add(w);
+    if (a_stays) m_envelope.push_back(w);
+    else add(w);
   }
 
   static void cut(Window& w, const Interval_set::Interval& part)

@@ -29,8 +29,7 @@ public:
   typedef Ray_at_vertex<double> Ray;
 
   Certified_front(const Certified_mesh& mesh, bool keeps_windows, Certified_field& field)
-    : m_mesh(mesh), m_unfolded(mesh.unfolded()), m_state(mesh, keeps_windows, field), m_sector(m_unfolded),
-      m_propagate(m_state)
+    : m_mesh(mesh), m_unfolded(mesh.unfolded()), m_state(mesh, keeps_windows, field), m_sector(m_unfolded), m_propagate(m_state)
   {
   }
 
@@ -50,8 +49,7 @@ public:
         m_state.prefetch_next();
         process_halfedge(i);
       }
-      else if (m_state.queue.pop_vertex(i))
-        m_state.spread_arrivals(i, [&](const Arrival& a) { spread_behind(i, a); });
+      else if (m_state.queue.pop_vertex(i)) m_state.spread_arrivals(i, [&](const Arrival& a) { spread_behind(i, a); });
     }
     m_state.finish_all();
   }
@@ -167,8 +165,8 @@ private:
     m_sector.for_each_sector_behind(
       a.back,
       [&](const Ray& from, const Ray& to, Index first) {
-        is_empty = false;
-        spread_sector(from, to, first);
+      is_empty = false;
+      spread_sector(from, to, first);
       },
       angle);
     // In a corner of nearly half a turn, a widened sector may begin before the direction of the arriving path; without a
@@ -186,8 +184,7 @@ private:
     int corners = 0;
     m_unfolded.for_each_fan(v, [&](Index first) {
       Index c = first;
-      do
-      {
+      do {
         ++corners;
         c = m_unfolded.corner_ccw(c);
       } while (c != no_index && c != first);
@@ -201,7 +198,8 @@ private:
   double exit_of_ray(Index h, const Ray& r) const
   {
     const Double_double_2 apex = m_mesh.apex(h);
-    const double b = r.x * apex.y.high - r.y * apex.x.high, a = r.y * m_mesh.length(h), size = m_mesh.length(m_unfolded.next(h));
+    const double b = r.x * apex.y.high - r.y * apex.x.high, a = r.y * m_mesh.length(h),
+                 size = m_mesh.length(m_unfolded.next(h));
     if (!(b > 0)) return 0.;
     return a > 0 ? b / (b + a) * size : size;
   }

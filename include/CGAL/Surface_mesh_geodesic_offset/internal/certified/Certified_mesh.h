@@ -165,8 +165,7 @@ private:
     bool is_certain = true;
     const Index first = m_unfolded.corner(v);
     Index c = first;
-    do
-    {
+    do {
       Number cx, cy;
       get(m_halfedges[c].corner.x, cx);
       get(m_halfedges[c].corner.y, cy);

@@ -32,10 +32,8 @@ public:
   // Precondition: the interval begins at or after the end of the last one.
   void append(const Interval& i)
   {
-    if (m_size > 0 && i.from <= m_intervals[m_size - 1].to)
-      m_intervals[m_size - 1].to = i.to;
-    else
-      m_intervals[m_size++] = i;
+    if (m_size > 0 && i.from <= m_intervals[m_size - 1].to) m_intervals[m_size - 1].to = i.to;
+    else m_intervals[m_size++] = i;
   }
   void append_all(const Interval_set& o)
   {
@@ -116,10 +114,8 @@ private:
       const double good = low > 0 ? m_low : m_high, bad = low > 0 ? m_high : m_low;
       const double t = last_farther(of, good, low > 0 ? low : high, bad, low > 0 ? high : low);
       const bool is_cut = is_farther_between(of, (std::min)(good, t), (std::max)(good, t));
-      if (!is_cut)
-        result.append({m_low, m_high});
-      else
-        result.append(low > 0 ? Interval_set::Interval{t, m_high} : Interval_set::Interval{m_low, t});
+      if (!is_cut) result.append({m_low, m_high});
+      else result.append(low > 0 ? Interval_set::Interval{t, m_high} : Interval_set::Interval{m_low, t});
       return result;
     }
     if (m_has_middle && excess(m_at_middle) > 0)

@@ -149,8 +149,7 @@ public:
     child.sigma_low = w.sigma_low;
     if (w.is_parallel())
     { // the distance at r: forward from p to q, then back
-      const Double_double sigma =
-        Double_double(w.sigma, w.sigma_low) - image.x * m_length + child.image().x * m_right_length;
+      const Double_double sigma = Double_double(w.sigma, w.sigma_low) - image.x * m_length + child.image().x * m_right_length;
       child.sigma = sigma.high;
       child.sigma_low = sigma.low;
     }
@@ -163,9 +162,8 @@ public:
     const double rounding = 2 * unit_roundoff * right_length;
     child.set_interval(to < right_length ? (std::max)(0., right_length - to - rounding) : 0.,
                        from > 0 ? (std::min)(right_length, right_length - from + rounding) : right_length);
-    child.radius = w.b1 < length || !from_apex || grazing > 0
-                     ? sum_of_radii(w.radius, detour(to, off) + grazing + 4 * rounding)
-                     : w.radius;
+    child.radius =
+      w.b1 < length || !from_apex || grazing > 0 ? sum_of_radii(w.radius, detour(to, off) + grazing + 4 * rounding) : w.radius;
     if (!(child.b0 < child.b1)) return false;
     CGAL_GEODESIC_OFFSET_CERTIFICATE(m_certificate->check_child(w, begin, from_apex, false, child);)
     return true;

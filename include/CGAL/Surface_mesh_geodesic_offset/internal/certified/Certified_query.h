@@ -35,8 +35,7 @@ public:
   std::pair<double, double> operator()(const Place& p)
   {
     m_lower = m_upper = Number_policy<double>::infinity();
-    if (p.kind == Place::VERTEX)
-      add_bounds(m_field.bounds.lower(p.element), m_field.bounds.upper(p.element));
+    if (p.kind == Place::VERTEX) add_bounds(m_field.bounds.lower(p.element), m_field.bounds.upper(p.element));
     else
       for (Index face : faces_of(m_mesh.unfolded(), p))
       {
@@ -78,7 +77,8 @@ private:
         const Sign from = w.side_of(p.x, height, b0), to = w.side_of(p.x, height, b1);
         if (from == POSITIVE || to == NEGATIVE) return;
         const double d = w.distance_at(p.x.high, height);
-        const Certified_window::Excess begin = w.excess_at(p.x, height, b0, true, from), end = w.excess_at(p.x, height, b1, false, to);
+        const Certified_window::Excess begin = w.excess_at(p.x, height, b0, true, from),
+                                       end = w.excess_at(p.x, height, b1, false, to);
         const double error = w.radius + length_error * d + moved + 4 * w.error_of_image() + begin.around + end.around;
         if (d + error < m_sources.least_start_value) return; // p is behind the segment that the rays start from
         CGAL_GEODESIC_OFFSET_CERTIFICATE(check_query(w, precise(p.x), Precise(height), precise(b0), precise(b1), d, error);)

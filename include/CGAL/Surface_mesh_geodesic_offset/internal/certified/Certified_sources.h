@@ -147,7 +147,7 @@ public:
   }
 
   std::vector<Certified_source_vertex> vertices; // by their indices
-  std::vector<Certified_source> in_faces; // sorted by face
+  std::vector<Certified_source> in_faces;        // sorted by face
   double least_start_value = Number_policy<double>::infinity();
   // By which a distance may be shorter than all windows and vertices tell: see loss_beside_vertex(), and by half the longest segment
   // that has no windows.
@@ -157,8 +157,9 @@ public:
   template <class Function>
   void for_each_in_face(Index face, const Function& f) const
   {
-    auto i = std::lower_bound(in_faces.begin(), in_faces.end(), face,
-                              [](const Certified_source& s, Index number) { return s.face < number; });
+    auto i = std::lower_bound(in_faces.begin(), in_faces.end(), face, [](const Certified_source& s, Index number) {
+      return s.face < number;
+    });
     for (; i != in_faces.end() && i->face == face; ++i) f(*i);
   }
 
@@ -206,7 +207,8 @@ private:
       for (int k = 0; k < 3 && !s.is_segment; ++k)
       {
         const Double_double_2 c = corner(s.face, k);
-        beside = (std::max)(beside, loss_beside_vertex(internal::length(Point{(s.first.x - c.x).high, (s.first.y - c.y).high})));
+        beside =
+          (std::max)(beside, loss_beside_vertex(internal::length(Point{(s.first.x - c.x).high, (s.first.y - c.y).high})));
       }
     loss += beside;
   }

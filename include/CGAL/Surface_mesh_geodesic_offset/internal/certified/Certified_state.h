@@ -26,7 +26,7 @@ struct Certified_field
 {
   Distance_bounds bounds;
   std::vector<Certified_window> windows; // kept windows by face, in the order of finalization
-  std::vector<std::size_t> begin; // four per face, as in Kept_windows, and one more: not empty for a mesh without faces
+  std::vector<std::size_t> begin;        // four per face, as in Kept_windows, and one more: not empty for a mesh without faces
   std::size_t windows_created = 0, windows_propagated = 0;
 
   bool has_windows() const { return !begin.empty(); }
@@ -46,9 +46,9 @@ public:
   typedef Window_output<double, Window> Output;
 
   Certified_state(const Certified_mesh& m, bool keeps, Certified_field& f)
-    : keeps_windows(keeps), mesh(m), unfolded(m.unfolded()), field(f),
-      lists(unfolded.number_of_halfedges()), queue(0.25 * m.to_unit(unfolded.mean_edge_length())),
-      m_arrivals(unfolded.number_of_vertices()), m_face_state(unfolded.number_of_faces(), 0)
+    : keeps_windows(keeps), mesh(m), unfolded(m.unfolded()), field(f), lists(unfolded.number_of_halfedges()),
+      queue(0.25 * m.to_unit(unfolded.mean_edge_length())), m_arrivals(unfolded.number_of_vertices()),
+      m_face_state(unfolded.number_of_faces(), 0)
   {
     field.bounds = Distance_bounds(unfolded.number_of_vertices());
     if (keeps_windows) field.begin.assign(4 * unfolded.number_of_faces() + 1, 0);
@@ -87,11 +87,9 @@ public:
     output.next() = w;
     const double length = mesh.length(g);
     const double margin = pruning_margin(w.radius + 4 * w.error_of_image(), (std::max)(w.d0, w.d1), length);
-    Certified_pruning pruning(length, field.bounds.upper(unfolded.source(g)), field.bounds.upper(unfolded.target(g)),
-                              margin);
+    Certified_pruning pruning(length, field.bounds.upper(unfolded.source(g)), field.bounds.upper(unfolded.target(g)), margin);
     CGAL_GEODESIC_OFFSET_CERTIFICATE(pruning.set_radius(w.radius);)
-    if (pruning.trim(output.next()))
-      output.keep(output.next().minimum());
+    if (pruning.trim(output.next())) output.keep(output.next().minimum());
     m_single.finish(output);
     append(m_single);
   }
@@ -141,12 +139,9 @@ public:
     for (Index h = 3 * f; h < 3 * f + 3; ++h)
       bound = (std::min)(bound, field.bounds.upper(unfolded.source(h)) +
                                   (std::max)(mesh.length(h), mesh.length(unfolded.previous(h))));
-    const std::size_t done =
-      Number_policy<double>::is_finite(bound) ? queue.bucket_of(bound) + 2 : queue.current() + 2;
-    if (done <= queue.current())
-      finish(f);
-    else
-      queue.push_face(done, f);
+    const std::size_t done = Number_policy<double>::is_finite(bound) ? queue.bucket_of(bound) + 2 : queue.current() + 2;
+    if (done <= queue.current()) finish(f);
+    else queue.push_face(done, f);
   }
 
   void finish_all()

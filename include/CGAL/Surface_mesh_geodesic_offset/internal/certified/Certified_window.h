@@ -126,9 +126,9 @@ struct Certified_window
     // Image, b and p are displaced by at most their errors; seen from b, the image and the point turn by their errors. All
     // sizes are those of vectors from b, since coordinates may be much larger.
     const double from_b = to_image(b), along = (px.high - b.high) + (px.low - b.low), value = y * along - from_b * py;
-    const double error = side_error * (std::abs(from_b) * py + std::abs(y * along)) +
-                         error_of_image() * (std::abs(along) + py) +
-                         corner_error * (std::abs(px.high) + py + b.high) * (std::abs(from_b) + std::abs(y));
+    const double error =
+      side_error * (std::abs(from_b) * py + std::abs(y * along)) + error_of_image() * (std::abs(along) + py) +
+      corner_error * (std::abs(px.high) + py + b.high) * (std::abs(from_b) + std::abs(y));
     return value > error ? POSITIVE : value < -error ? NEGATIVE : ZERO;
   }
 

@@ -30,11 +30,11 @@ struct Curve_piece
 {
   Index face;
   Surface_point<double> from, to;
-  Face_piece geometry;   // in the frame of the face, in units of the certified mesh
+  Face_piece geometry;        // in the frame of the face, in units of the certified mesh
   Double_double_2 start, end; // of `from` and `to` there; those of the geometry are within `moved`
-  double moved;          // how far a point of the given curve may be from its geometry
+  double moved;               // how far a point of the given curve may be from its geometry
   std::size_t curve;
-  int edge = -1;         // the halfedge of the face along which the piece runs
+  int edge = -1; // the halfedge of the face along which the piece runs
 };
 
 // Curves as a chain modulo 2. The border of each face is cut into parts, at its corners and at the ends of pieces on its edges.
@@ -170,10 +170,7 @@ private:
   }
 
   // On the halfedge that names the edge.
-  double along_edge(const Place& p) const
-  {
-    return edge_of(p.element) == p.element ? p.x : m_mesh[p.element].length - p.x;
-  }
+  double along_edge(const Place& p) const { return edge_of(p.element) == p.element ? p.x : m_mesh[p.element].length - p.x; }
 
   void find_events(const std::vector<Curve_piece>& pieces)
   {
@@ -343,7 +340,7 @@ private:
 
   const Unfolded_mesh<double>& m_mesh;
   std::vector<Event> m_events;
-  std::vector<std::size_t> m_first; // part, per halfedge
+  std::vector<std::size_t> m_first;          // part, per halfedge
   mutable std::vector<std::size_t> m_parent; // per part, as are the others
   mutable std::vector<char> m_differs;
   std::vector<char> m_flips_behind, m_is_carried, m_component, m_has_curve;

@@ -68,8 +68,8 @@ struct Arrival
     const double cross = back.x * o.back.y - back.y * o.back.x, dot = back.x * o.back.x + back.y * o.back.y;
     if (!(std::abs(cross) <= same_direction * dot)) return false;
     const double from = (std::min)(lower(), o.lower()), to = (std::max)(distance + radius, o.distance + o.radius);
-    CGAL_GEODESIC_OFFSET_CERTIFICATE(
-      if (!has_spread) directions.insert(directions.end(), o.directions.begin(), o.directions.end());)
+    CGAL_GEODESIC_OFFSET_CERTIFICATE(if (!has_spread)
+                                       directions.insert(directions.end(), o.directions.begin(), o.directions.end());)
     if (from >= lower() && to <= distance + radius && o.angle + std::abs(cross) / dot <= angle) return true;
     if (has_spread) return false;
     distance = 0.5 * (from + to);

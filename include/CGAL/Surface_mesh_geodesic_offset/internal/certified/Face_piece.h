@@ -66,7 +66,10 @@ struct Face_piece
   }
 
   // True if the tangents of an arc meet near it.
-  bool is_short() const { return !is_arc || dot(difference(hull[0], center), difference(hull[1], center)) > 0.5 * radius * radius; }
+  bool is_short() const
+  {
+    return !is_arc || dot(difference(hull[0], center), difference(hull[1], center)) > 0.5 * radius * radius;
+  }
 
   // How far the ends of an arc are off its circle.
   double off_circle() const
@@ -170,8 +173,7 @@ struct Face_piece
       const double a0 = cross(v[0], v[1]), a1 = cross(v[1], v[2]), a2 = cross(v[2], v[0]);
       // Far from a small triangle, all signs may be those of rounding. A point inside is no farther from a corner than the
       // longest side; twice as far is outside.
-      const bool is_inside =
-        ((a0 >= 0 && a1 >= 0 && a2 >= 0) || (a0 <= 0 && a1 <= 0 && a2 <= 0)) && most <= 2 * diameter();
+      const bool is_inside = ((a0 >= 0 && a1 >= 0 && a2 >= 0) || (a0 <= 0 && a1 <= 0 && a2 <= 0)) && most <= 2 * diameter();
       least = is_inside ? 0. : (std::min)({least, near_segment(v[1], v[2]), near_segment(v[2], v[0])});
     }
     return {least, most};
@@ -227,7 +229,6 @@ private:
   {
     return {center.x + Double_double(t * u.x), center.y + Double_double(t * u.y)};
   }
-
 };
 
 } // namespace internal

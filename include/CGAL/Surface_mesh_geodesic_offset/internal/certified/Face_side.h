@@ -63,8 +63,7 @@ public:
     const Double_double_2 m = piece.geometry.inner_point();
     const Point along = difference(piece.end, piece.start);
     const Point left = 0x1p-10 * quarter_turn(along);
-    const Side side =
-      (*this)(piece.face, {m.x + Double_double(left.x), m.y + Double_double(left.y)});
+    const Side side = (*this)(piece.face, {m.x + Double_double(left.x), m.y + Double_double(left.y)});
     return side.is_known && m_region.is_inside(side.part) == side.differs;
   }
 

@@ -151,7 +151,10 @@ private:
   static constexpr int most_halvings = 60;
   static constexpr std::size_t most_triangles = 1u << 16;
 
-  double smallest_step(Index face) const { return resolution * (m_distance + m_mesh.length(3 * face) + m_mesh.length(3 * face + 1)); }
+  double smallest_step(Index face) const
+  {
+    return resolution * (m_distance + m_mesh.length(3 * face) + m_mesh.length(3 * face + 1));
+  }
 
   bool place_in(Index face, const Place& p, Double_double_2& place, unsigned& edges) const
   {
@@ -186,12 +189,13 @@ private:
     const bool is_along_edge = !(arc.radius > 0) && (p_edges & q_edges) && m_region.key(from) != m_region.key(arc.to);
     const auto point = [](const Point_in_face<double>& x) { return Double_double_2{Double_double(x.x), Double_double(x.y)}; };
     const Double_double_2 start = point(arc.start), end = point(arc.end);
-    const Face_piece piece = arc.radius > 0 ? Face_piece::arc(start, end, point(arc.center), arc.radius)
-                                            : Face_piece::segment(start, end);
+    const Face_piece piece =
+      arc.radius > 0 ? Face_piece::arc(start, end, point(arc.center), arc.radius) : Face_piece::segment(start, end);
     double moved = (std::max)(length(difference(p, start)), length(difference(q, end)));
     moved = (std::max)({moved, piece.off_circle(), outside(piece, arc.face)});
     if (!(moved <= joint_tolerance)) return false;
-    m_pieces.push_back({arc.face, from, arc.to, piece, p, q, moved, curve, is_along_edge ? edge_of_bit(p_edges & q_edges) : -1});
+    m_pieces.push_back({arc.face, from, arc.to, piece, p, q, moved, curve,
+                        is_along_edge ? edge_of_bit(p_edges & q_edges) : -1});
     return true;
   }
 
@@ -399,8 +403,7 @@ private:
       if (is_far || is_near) bound_halves(part, p, end, next, depth);
       m_bounds.drop_candidates(end);
     }
-    else
-      bound_halves(part, p, begin, end, depth);
+    else bound_halves(part, p, begin, end, depth);
   }
 
   void bound_halves(const Face_piece& part, const Curve_piece& p, std::size_t begin, std::size_t end, int depth)
@@ -461,7 +464,8 @@ private:
       if (unfolded.source(3 * f) == no_index) continue;
       double bound = Number_policy<double>::infinity();
       for (Index h = 3 * f; h < 3 * f + 3; ++h)
-        bound = (std::min)(bound, upper(unfolded.source(h)) + (std::max)(m_mesh.length(h), m_mesh.length(unfolded.previous(h))));
+        bound =
+          (std::min)(bound, upper(unfolded.source(h)) + (std::max)(m_mesh.length(h), m_mesh.length(unfolded.previous(h))));
       if (bound * (1 + 0x1p-50) - m_distance <= m_result.excess) continue;
       const bool is_crossed = m_region.is_crossed(f);
       if (!is_crossed && !m_region.is_inside(m_region.part(3 * f, 0))) continue;

@@ -93,14 +93,13 @@ public:
     }
     const double upper = m_upper = (std::min)(m_upper, inner.second + reach);
     const auto is_farther = [&](const Candidate& c) { return c.lower > upper; };
-    m_candidates.erase(
-      std::remove_if(m_candidates.begin() + std::ptrdiff_t(end), m_candidates.end(), is_farther), m_candidates.end());
+    m_candidates.erase(std::remove_if(m_candidates.begin() + std::ptrdiff_t(end), m_candidates.end(), is_farther),
+                       m_candidates.end());
     bool has_no_maximum = false;
     if (wants_maxima && Number_policy<double>::is_finite(upper))
     {
       add_source_directions(piece, everywhere);
-      for (std::size_t i = end; i < m_candidates.size(); ++i)
-        add_directions(m_candidates[i], frame[m_candidates[i].frame]);
+      for (std::size_t i = end; i < m_candidates.size(); ++i) add_directions(m_candidates[i], frame[m_candidates[i].frame]);
       add_vertex_directions(frame);
       has_no_maximum = are_in_half_plane();
     }

@@ -33,8 +33,8 @@ namespace Geodesic_offset {
 namespace internal {
 
 // 61 decimal digits are 203 bits.
-typedef boost::multiprecision::number<
-  boost::multiprecision::mpfr_float_backend<61, boost::multiprecision::allocate_stack>, boost::multiprecision::et_off>
+typedef boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<61, boost::multiprecision::allocate_stack>,
+                                      boost::multiprecision::et_off>
   Precise;
 
 inline Precise precise(const Double_double& x) { return Precise(x.high) + Precise(x.low); }
@@ -69,7 +69,7 @@ struct Precise_halfedge
 {
   Precise length;
   Precise_2 corner; // as in Certified_mesh
-  Precise angle; // of the corner
+  Precise angle;    // of the corner
 };
 
 class Certificate_error : public std::logic_error

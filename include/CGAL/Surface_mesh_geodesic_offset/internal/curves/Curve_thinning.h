@@ -227,8 +227,8 @@ private:
     {
       if (c.points[i].part != c.points[i].parts) continue;
       const double cosine = c.vertices[i].is_kept || (i == 0 && c.vertices[n].is_kept)
-                              ? -2
-                              : turn_cosine(c.vertices[i > 0 ? i - 1 : n - 1], c.vertices[i], c.vertices[i + 1]);
+                            ? -2
+                            : turn_cosine(c.vertices[i > 0 ? i - 1 : n - 1], c.vertices[i], c.vertices[i + 1]);
       if (cosine >= least_cosine) continue;
       least_cosine = cosine;
       corner = i;

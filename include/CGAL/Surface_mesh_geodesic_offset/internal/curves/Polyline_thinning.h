@@ -23,8 +23,8 @@ namespace internal {
 struct Thinning_vertex
 {
   std::array<double, 3> point;
-  double height = 0; // Frechet distance of the curve from the segment that ends here, or an upper bound
-  bool is_kept = false; // no chord may pass this vertex
+  double height = 0;          // Frechet distance of the curve from the segment that ends here, or an upper bound
+  bool is_kept = false;       // no chord may pass this vertex
   std::size_t free_steps = 1; // number of steps that a chord may span without a check
 };
 
@@ -46,7 +46,10 @@ public:
   }
 
   // Indices of the selected vertices, including the first and the last.
-  std::vector<std::size_t> operator()() const { return walk([](std::size_t, std::size_t) { return true; }, true); }
+  std::vector<std::size_t> operator()() const
+  {
+    return walk([](std::size_t, std::size_t) { return true; }, true);
+  }
 
   // Selects at least three vertices, if available, of a closed polyline, whose last vertex equals the first: three where
   // one or two chords would be within the tolerance.

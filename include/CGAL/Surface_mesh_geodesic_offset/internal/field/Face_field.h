@@ -48,8 +48,7 @@ public:
   {
   }
 
-  Face_field(const Unfolded_mesh<FT>& mesh, const Initial_windows<FT>& initial, const Geodesic_field<FT>& field,
-             Index face)
+  Face_field(const Unfolded_mesh<FT>& mesh, const Initial_windows<FT>& initial, const Geodesic_field<FT>& field, Index face)
     : Face_field(mesh, initial, field)
   {
     set_face(face);
@@ -159,10 +158,7 @@ private:
     return d < w.start_value && !tie(d, w.start_value);
   }
 
-  FT rounding_of(const FT& distance) const
-  {
-    return Number_policy<FT>::rounding(64) * (distance + m_size);
-  }
+  FT rounding_of(const FT& distance) const { return Number_policy<FT>::rounding(64) * (distance + m_size); }
 
   void add(const Window_in_face& w, const FT& lowest)
   {
@@ -195,14 +191,14 @@ private:
       part_right = part_left > FT(0) ? (std::min)(part_right, r) : r;
       part_left = (std::max)(part_left, l);
     };
-    sector.for_each_sector_behind(
-      back, [&](const auto& from, const auto& to, Index first) { add_part(from, to, first, left, right); });
+    sector.for_each_sector_behind(back, [&](const auto& from, const auto& to, Index first) {
+      add_part(from, to, first, left, right);
+    });
     add_cone(k, d, right, left);
     sector.for_each_margin_behind(back, m_field.has_margins[v], FT(0), [&](const auto& from, const auto& to, Index first) {
       margin_left = margin_right = FT(0);
       add_part(from, to, first, margin_left, margin_right);
-      if (margin_right < margin_left)
-        add_cone(k, d + FT(2) * sector.margin_surcharge(d + m_size), margin_right, margin_left);
+      if (margin_right < margin_left) add_cone(k, d + FT(2) * sector.margin_surcharge(d + m_size), margin_right, margin_left);
     });
   }
 

@@ -38,7 +38,7 @@ template <class FT>
 struct Farthest
 {
   FT distance;
-  Index face;                // no_index if points lie beyond
+  Index face;             // no_index if points lie beyond
   Per_corner<FT> weights; // barycentric coordinates, exactly zero on edges
 };
 
@@ -113,8 +113,8 @@ private:
 
   struct Triangle
   {
-    Per_corner<Row> corner; // barycentric coordinates in the face
-    std::size_t first, last;   // in m_candidates
+    Per_corner<Row> corner;  // barycentric coordinates in the face
+    std::size_t first, last; // in m_candidates
     FT bound;
     friend bool operator<(const Triangle& a, const Triangle& b) { return a.bound < b.bound; }
   };
@@ -139,10 +139,7 @@ private:
     return w.is_in_front(p) ? w.path_length(p) : w.path_length(p + FT(2) * (w.distance_at(p) - w.start_value) * w.image());
   }
 
-  FT edge_length(const Triangle& t, int k) const
-  {
-    return length(position(t.corner[(k + 1) % 3]) - position(t.corner[k]));
-  }
+  FT edge_length(const Triangle& t, int k) const { return length(position(t.corner[(k + 1) % 3]) - position(t.corner[k])); }
 
   // Splits a triangle at the middle of its longest edge.
   void split(const Triangle& t)
@@ -155,8 +152,7 @@ private:
     for (int i = 0; i < 3; ++i) middle[i] = (t.corner[k][i] + t.corner[l][i]) / FT(2);
     const Point p = position(middle);
     m_values.clear();
-    for (std::size_t i = t.first; i < t.last; ++i)
-      m_values.push_back(path_length((*m_windows)[m_candidates[i].window], p));
+    for (std::size_t i = t.first; i < t.last; ++i) m_values.push_back(path_length((*m_windows)[m_candidates[i].window], p));
     for (int corner : {k, l})
     {
       Triangle half = t;
@@ -192,19 +188,16 @@ private:
       m_heap.push_back(t);
       std::push_heap(m_heap.begin(), m_heap.end());
     }
-    else
-      m_candidates.resize(first);
+    else m_candidates.resize(first);
   }
 
   void try_point(const Triangle& t, const Row& weights)
   {
     Row w;
-    for (int i = 0; i < 3; ++i)
-      w[i] = weights[0] * t.corner[0][i] + weights[1] * t.corner[1][i] + weights[2] * t.corner[2][i];
+    for (int i = 0; i < 3; ++i) w[i] = weights[0] * t.corner[0][i] + weights[1] * t.corner[1][i] + weights[2] * t.corner[2][i];
     const Point p = position(w);
     FT d = Number_policy<FT>::infinity();
-    for (std::size_t i = t.first; i < t.last; ++i)
-      d = (std::min)(d, path_length((*m_windows)[m_candidates[i].window], p));
+    for (std::size_t i = t.first; i < t.last; ++i) d = (std::min)(d, path_length((*m_windows)[m_candidates[i].window], p));
     // Rounding must not move the result away from a vertex.
     if (!(d > m_best + FT(0.25) * allowance(m_size))) return;
     m_best = d;
@@ -290,10 +283,7 @@ private:
   // Limit of the windows of waiting faces, beyond which all waiting faces are searched: the peak of the front's own windows. On
   // regular meshes most faces finalized in a bucket have the same bound and wait for two buckets, each a quarter of an edge
   // wide; on others some ten faces wait. The minimum, some 400 KB, serves small fronts and kept windows.
-  std::size_t largest_number_of_waiting_windows() const
-  {
-    return (std::max)(std::size_t(1) << 12, m_field.lists.peak());
-  }
+  std::size_t largest_number_of_waiting_windows() const { return (std::max)(std::size_t(1) << 12, m_field.lists.peak()); }
 
   struct Waiting_face
   {

@@ -68,9 +68,8 @@ public:
       const Index* const face = faces.data() + first;
       const Index number = Index((std::min)(at_once, faces.size() - first));
       const auto weight = [](Index) { return std::size_t(1); };
-      team.for_each(number, weight, number >= worthwhile, [&](unsigned, Index i) {
-        places[i] = this->count(face[i], lists, distance);
-      });
+      team.for_each(number, weight, number >= worthwhile,
+                    [&](unsigned, Index i) { places[i] = this->count(face[i], lists, distance); });
       for (Index i = 0; i < number; ++i) make_room(face[i], places[i]);
       team.for_each(number, weight, number >= worthwhile,
                     [&](unsigned, Index i) { this->put(face[i], places[i], lists, distance); });
@@ -95,8 +94,8 @@ public:
   // Finds the nearest window for a point of a face; q[k] is the point in the frame of halfedge k. Rounding may move the point
   // out of all cones. Therefore a window is a candidate if the point is in its cone or at most `allowance` (a length) beside
   // it. Two consecutive windows are candidates if the point is between their cones.
-  void find_nearest(Index face, const Per_corner<Point_in_face<FT>>& q, const FT& allowance,
-                    const std::vector<FT>& distance, Nearest_kept_window<FT>& nearest) const
+  void find_nearest(Index face, const Per_corner<Point_in_face<FT>>& q, const FT& allowance, const std::vector<FT>& distance,
+                    Nearest_kept_window<FT>& nearest) const
   {
     if (m_begin.empty()) return;
     const Index* begin = &m_begin[4 * face];
@@ -130,8 +129,7 @@ public:
         const int k = halfedge_of(begin, candidate[j]);
         bool is_straight;
         const FT d = path_length(at(candidate[j]), distance, q[k], is_straight);
-        if (!is_straight)
-          nearest.bent = (std::min)(nearest.bent, d);
+        if (!is_straight) nearest.bent = (std::min)(nearest.bent, d);
         else if (d < nearest.straight)
         {
           nearest.straight = d;
@@ -151,8 +149,8 @@ public:
 
   // Calls f(window) for each window of a halfedge with a path to q that is no longer than `limit`.
   template <class Function>
-  void for_each_within(Index h, const std::vector<FT>& distance, const std::vector<Source_ref>& source_ref, const Point_in_face<FT>& q,
-                       const FT& limit, const Function& f) const
+  void for_each_within(Index h, const std::vector<FT>& distance, const std::vector<Source_ref>& source_ref,
+                       const Point_in_face<FT>& q, const FT& limit, const Function& f) const
   {
     for_each_packed(h, [&](const Packed& p) {
       bool is_straight;
@@ -184,8 +182,7 @@ public:
 
   std::size_t bytes() const
   {
-    return m_pages.size() * page_size * sizeof(Packed) + m_sigma.capacity() * sizeof(FT) +
-           m_begin.capacity() * sizeof(Index);
+    return m_pages.size() * page_size * sizeof(Packed) + m_sigma.capacity() * sizeof(FT) + m_begin.capacity() * sizeof(Index);
   }
 
 private:
@@ -216,7 +213,7 @@ private:
   {
     Index windows[4] = {0, 0, 0, 0}; // first window per halfedge, and end
     Index sigma = 0;                 // in m_sigma
-    bool has_outdated = false; // the lists have windows that are not stored
+    bool has_outdated = false;       // the lists have windows that are not stored
   };
 
   // The numbers of windows to store: those of the lists, or the stored ones of halfedges without a list.
@@ -402,8 +399,8 @@ private:
   std::vector<boost::container::vector<Packed>> m_pages;
   std::size_t m_size = 0, m_live = 0; // windows in the pages, and those in use
   Start_values<FT> m_start_values;
-  std::vector<FT> m_sigma;            // of parallel-source and merged windows
-  std::vector<Index> m_begin;         // four per face: begin of the windows per halfedge, and end
+  std::vector<FT> m_sigma;    // of parallel-source and merged windows
+  std::vector<Index> m_begin; // four per face: begin of the windows per halfedge, and end
 };
 
 } // namespace internal

@@ -122,8 +122,8 @@ private:
     take_if_lower(rows, {r, s, t}, cross(u, v), cross(minus(a, b), minus(a, c)), 3);
   }
 
-  void take_if_lower(const std::vector<Row>& rows, const Per_corner<std::size_t>& members, Row coefficients,
-                     Row weights, int size)
+  void take_if_lower(const std::vector<Row>& rows, const Per_corner<std::size_t>& members, Row coefficients, Row weights,
+                     int size)
   {
     if (!normalize(coefficients) || !normalize(weights)) return;
     Row sum{FT(0), FT(0), FT(0)};

@@ -191,7 +191,7 @@ private:
 
   Wavefront_state<FT>* m_state;
   Index m_part;
-  unsigned m_parity = 0; // of the round
+  unsigned m_parity = 0;                // of the round
   std::vector<Box> m_box[2];            // for all recipients so far
   std::vector<std::uint8_t> m_place[2]; // of the box for each part
   Updates m_shared_updates;

@@ -38,8 +38,8 @@ public:
   Halfedge_batch(const Wavefront_state<FT>& state, const std::vector<Index>& source_of, const Traits& traits,
                  const Merging_tolerance<FT>& tolerance)
     : m_mesh(state.mesh), m_state(state), m_envelope(source_of, traits, &state.field.start_values),
-      m_merging(state.field, source_of, tolerance),
-      m_propagate(state, traits), m_needs_envelopes(!is_inexact || state.needs_envelopes)
+      m_merging(state.field, source_of, tolerance), m_propagate(state, traits),
+      m_needs_envelopes(!is_inexact || state.needs_envelopes)
   {
   }
 
@@ -90,7 +90,10 @@ private:
     return merged;
   }
 
-  typename Lower_envelope<Traits>::End end_at(Index v) const { return {m_state.field.distance[v], m_state.field.source_ref[v]}; }
+  typename Lower_envelope<Traits>::End end_at(Index v) const
+  {
+    return {m_state.field.distance[v], m_state.field.source_ref[v]};
+  }
 
   const Unfolded_mesh<FT>& m_mesh;
   const Wavefront_state<FT>& m_state;

@@ -79,9 +79,9 @@ public:
     for (Index i = 0; i < m_part.size(); ++i)
       if (m_waiting[i].first <= m_state.current() || has_bit(m_recipients | m_gives_up, i)) m_turns.push_back({i, 1});
     m_gives_up = 0;
-    round<&Bucket_queue::number_of_faces>(
-      m_turns.size() >= worthwhile_faces,
-      [this, &passing](unsigned, Index i) { passing.examine_bucket(i, this->m_part[i].passed); });
+    round<&Bucket_queue::number_of_faces>(m_turns.size() >= worthwhile_faces, [this, &passing](unsigned, Index i) {
+      passing.examine_bucket(i, this->m_part[i].passed);
+    });
     for (const Turn& t : m_turns) passed.append(m_part[t.part].passed);
   }
 
@@ -105,18 +105,19 @@ public:
       const bool is_recipient = m_recipients != 0 && (m_tells_vertices || first_message() <= m_state.current());
       if (const std::size_t halfedges = find_turns(&Waiting::halfedges, m_pending); halfedges > 0 || is_recipient)
       {
-        round<&Bucket_queue::number_of_halfedges>(
-          halfedges >= worthwhile_halfedges, [this](unsigned worker, Index i) { this->process_halfedges(i, worker); });
+        round<&Bucket_queue::number_of_halfedges>(halfedges >= worthwhile_halfedges, [this](unsigned worker, Index i) {
+          this->process_halfedges(i, worker);
+        });
         m_tells_vertices = false;
       }
       else if (const std::size_t vertices = find_turns(&Waiting::vertices, 0); vertices > 0)
       {
-        round<&Bucket_queue::number_of_vertices>(
-          vertices >= worthwhile_vertices, [this, &spreading](unsigned, Index i) { this->spread(i, spreading); });
+        round<&Bucket_queue::number_of_vertices>(vertices >= worthwhile_vertices, [this, &spreading](unsigned, Index i) {
+          this->spread(i, spreading);
+        });
         m_tells_vertices = true;
       }
-      else
-        break;
+      else break;
     }
     CGAL_postcondition(is_bucket_processed());
   }
@@ -326,7 +327,7 @@ private:
     Index h;
     while (m_state.pop_halfedge(queue, h))
       process_halfedge(h, m_state, m_state.part(part), *m_batches[worker], m_state.field.lists.arena(worker),
-                    m_part[part].sender);
+                       m_part[part].sender);
   }
 
   void spread(Index part, const Ray_spreading<Traits>& spreading)
@@ -340,8 +341,8 @@ private:
   Wavefront_state<FT>& m_state;
   Worker_team m_team;
   std::vector<Part> m_part;
-  std::vector<Waiting> m_waiting; // per part
-  std::vector<Turn> m_turns;      // of the round, in the order of parts
+  std::vector<Waiting> m_waiting;                                 // per part
+  std::vector<Turn> m_turns;                                      // of the round, in the order of parts
   std::vector<std::unique_ptr<Halfedge_batch<Traits>>> m_batches; // per thread
   unsigned m_round = 0;
   // Of the previous round: recipients, the senders of each, pending halfedges of the recipients in this bucket, and the
@@ -351,7 +352,7 @@ private:
   std::size_t m_pending = 0;
   FT m_nearest_told = Number_policy<FT>::infinity();
   bool m_tells_vertices = false; // true if messages may have updates of vertices
-  Parts m_gives_up = 0; // parts with lists to release
+  Parts m_gives_up = 0;          // parts with lists to release
 };
 
 } // namespace internal

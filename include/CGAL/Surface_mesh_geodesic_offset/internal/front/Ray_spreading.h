@@ -80,8 +80,8 @@ public:
     char& state = m_state.vertex_state[v];
     const bool is_pending = state & State::IS_PENDING;
     if (!is_pending && !m_state.lacks_margins(v)) return;
-    const bool in_all_directions = is_pending && ((state & State::WAS_HIDDEN) ||
-                                             m_state.is_beside_image(v, m_state.field.back[v].pseudo_source));
+    const bool in_all_directions =
+      is_pending && ((state & State::WAS_HIDDEN) || m_state.is_beside_image(v, m_state.field.back[v].pseudo_source));
     const bool ties = state & State::TIES;
     state = char(State::HAS_SPREAD | (ties ? State::TIES | State::HAS_MARGINS : 0));
     m_state.field.has_margins[v] = ties;
@@ -90,11 +90,12 @@ public:
     if (in_all_directions)
       return m_mesh.for_each_fan(v, [&](Index first) { spread(v, Ray(), Ray(), first, source_ref, v, front); });
     if (is_pending && m_mesh.can_be_pseudo_source(v))
-      m_sector.for_each_sector_behind(
-        back, [&](const Ray& from, const Ray& to, Index first) { spread(v, from, to, first, source_ref, v, front); });
-    m_sector.for_each_margin_behind(
-      back, ties, m_state.hidden_angle(v),
-      [&](const Ray& from, const Ray& to, Index first) { spread(v, from, to, first, source_ref, v, front, true); });
+      m_sector.for_each_sector_behind(back, [&](const Ray& from, const Ray& to, Index first) {
+        spread(v, from, to, first, source_ref, v, front);
+      });
+    m_sector.for_each_margin_behind(back, ties, m_state.hidden_angle(v), [&](const Ray& from, const Ray& to, Index first) {
+      spread(v, from, to, first, source_ref, v, front, true);
+    });
     if (is_pending && m_mesh.has_several_fans(v))
       m_mesh.for_each_fan(v, [&](Index first) {
         if (!in_fan(back.corner, first)) spread(v, Ray(), Ray(), first, source_ref, v, front);
@@ -122,8 +123,7 @@ private:
       w.b0 = left.x;
       w.b1 = right.x;
     }
-    else if (!clip(left, towards(left), FT(-1), w) || !clip(right, towards(right), FT(1), w))
-      return;
+    else if (!clip(left, towards(left), FT(-1), w) || !clip(right, towards(right), FT(1), w)) return;
     if (w.b0 < FT(0)) w.b0 = FT(0);
     if (w.b1 > m_mesh[g].length) w.b1 = m_mesh[g].length;
     if (!(w.b0 < w.b1)) return;
@@ -202,7 +202,14 @@ private:
       const Index g = m_mesh.twin(e);
       if (g == no_index) return;
       const FT length = m_mesh[e].length;
-      Window w{length - m_mesh[e].apex_x, -m_mesh[e].apex_y, sigma, FT(0), length, FT(0), FT(0), source_ref,
+      Window w{length - m_mesh[e].apex_x,
+               -m_mesh[e].apex_y,
+               sigma,
+               FT(0),
+               length,
+               FT(0),
+               FT(0),
+               source_ref,
                Window::make_bits(false, pseudo_source)};
       if (lower) w.b1 = m_sector.exit_of_ray(h, *lower);
       if (upper) w.b0 = m_sector.exit_of_ray(h, *upper);
@@ -235,7 +242,9 @@ private:
     {
       const Face_frame<FT> frame(m_mesh, l.face);
       front.schedule(l.face);
-      l.window.sigma = sigma + surcharge(sigma + (std::max)(length(l.window.left - l.window.image()), length(l.window.right - l.window.image())));
+      l.window.sigma =
+        sigma +
+        surcharge(sigma + (std::max)(length(l.window.left - l.window.image()), length(l.window.right - l.window.image())));
       l.window.bits = Window::make_bits(false, pseudo_source);
       add_exit(l.face, frame, int(l.window.edge), l.window, front);
     }

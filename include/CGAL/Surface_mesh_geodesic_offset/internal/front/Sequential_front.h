@@ -29,8 +29,8 @@ namespace internal {
 // the results: the state, or messages for later.
 template <class Traits, class Arena, class Front>
 BOOST_FORCEINLINE void process_halfedge(Index h, Wavefront_state<typename Traits::FT>& state,
-                                     typename Wavefront_state<typename Traits::FT>::Part& part,
-                                     Halfedge_batch<Traits>& batch, Arena& arena, Front& front)
+                                        typename Wavefront_state<typename Traits::FT>::Part& part,
+                                        Halfedge_batch<Traits>& batch, Arena& arena, Front& front)
 {
   typedef Window_list<typename Traits::FT> List;
   auto& lists = state.field.lists;
@@ -60,7 +60,7 @@ class Sequential_front
 
 public:
   Sequential_front(Wavefront_state<FT>& state, const std::vector<Index>& source_of, const Traits& traits,
-                  const Merging_tolerance<FT>& tolerance)
+                   const Merging_tolerance<FT>& tolerance)
     : m_state(state), m_batch(state, source_of, traits, tolerance)
   {
   }
@@ -88,10 +88,7 @@ public:
   void pass_faces(const Face_finalizer<FT>& passing, Passed_faces& passed) { passing.examine_bucket(0, passed); }
 
   // Releases the lists of finalized faces.
-  void release(const std::vector<Index>& faces)
-  {
-    m_state.field.lists.release_faces(faces, m_state.field.lists.arena(0));
-  }
+  void release(const std::vector<Index>& faces) { m_state.field.lists.release_faces(faces, m_state.field.lists.arena(0)); }
 
   // Processes all halfedges and vertices of the bucket.
   void process_bucket(const Ray_spreading<Traits>& spreading)
@@ -100,10 +97,8 @@ public:
     for (Index i;;)
       if (m_state.pop_halfedge(queue, i))
         process_halfedge(i, m_state, m_state.part(0), m_batch, m_state.field.lists.arena(0), m_state);
-      else if (queue.pop_vertex(i))
-        spreading.spread_from_pseudo_source(i, m_state);
-      else
-        return;
+      else if (queue.pop_vertex(i)) spreading.spread_from_pseudo_source(i, m_state);
+      else return;
   }
 
   // The threads.

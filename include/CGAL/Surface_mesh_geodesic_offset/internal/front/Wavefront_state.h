@@ -54,17 +54,15 @@ public:
   typedef Vertex_update<FT> Update;
   typedef Window_output<FT, Window> Output;
 
-  enum Vertex_state : char
-  {
-    IS_PENDING = 1, // rays have to be started from it, usually because it is a pseudo-source
-    HAS_SPREAD = 2, // these rays have been started
-    IS_BENT = 4,    // its path is bent, see Vertex_update
-    WAS_HIDDEN = 8, // every window missed it through rounding, see reveal_vertex()
-    TIES = 16,      // paths from several images may tie there
+  enum Vertex_state : char {
+    IS_PENDING = 1,  // rays have to be started from it, usually because it is a pseudo-source
+    HAS_SPREAD = 2,  // these rays have been started
+    IS_BENT = 4,     // its path is bent, see Vertex_update
+    WAS_HIDDEN = 8,  // every window missed it through rounding, see reveal_vertex()
+    TIES = 16,       // paths from several images may tie there
     HAS_MARGINS = 32 // rays of its margins have been started, see Vertex_sector
   };
-  enum Face_state : char
-  {
+  enum Face_state : char {
     SCHEDULED = 1, // the front has reached the face
     BOUNDED = 2    // the face is in the bucket in which it will be finalized, see Face_finalizer
   };
@@ -87,8 +85,7 @@ public:
                   Geodesic_field<FT>& geodesic_field, const Front_parts& front_parts = Front_parts())
     : mesh(unfolded), maximum(maximum_distance), needs_envelopes(needs_all_envelopes), field(geodesic_field),
       parts(front_parts), vertex_state(mesh.number_of_vertices(), 0), face_state(mesh.number_of_faces(), 0),
-      is_finished(mesh.number_of_faces(), 0),
-      unfinished(needs_envelopes ? mesh.number_of_faces() : 0, parts),
+      is_finished(mesh.number_of_faces(), 0), unfinished(needs_envelopes ? mesh.number_of_faces() : 0, parts),
       m_part(parts.number(), Part(bucket_edges(parts) * mesh.mean_edge_length()))
   {
     field.lists = Window_lists<FT>(mesh.number_of_halfedges(), parts);

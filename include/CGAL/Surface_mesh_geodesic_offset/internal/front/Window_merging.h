@@ -375,7 +375,7 @@ private:
   const std::vector<Index>& m_source_of;
   const Merging_tolerance<FT> m_tolerance;
   const bool m_is_on;
-  const FT m_share; // of what the tolerance leaves, for one merge
+  const FT m_share;                                                     // of what the tolerance leaves, for one merge
   std::size_t m_least_size = (std::numeric_limits<std::size_t>::max)(); // of lists that are merged
   std::size_t m_longest_always_merged = (std::numeric_limits<std::size_t>::max)();
   Merging_counts m_counts;

@@ -38,8 +38,9 @@ public:
 
   auto functor() const
   {
-    return [&points = m_points, construct_apices = m_traits.construct_apices_2_object()](
-             Index, const Index (&v)[3], FT (&length)[3], FT (&x)[3], FT (&y)[3]) {
+    return [&points = m_points,
+            construct_apices =
+              m_traits.construct_apices_2_object()](Index, const Index(&v)[3], FT(&length)[3], FT(&x)[3], FT(&y)[3]) {
       construct_apices(points[v[0]], points[v[1]], points[v[2]], length, x, y);
     };
   }
@@ -60,7 +61,7 @@ public:
 
   auto functor() const
   {
-    return [&lengths = m_lengths](Index f, const Index (&)[3], FT (&length)[3], FT (&x)[3], FT (&y)[3]) {
+    return [&lengths = m_lengths](Index f, const Index(&)[3], FT(&length)[3], FT(&x)[3], FT(&y)[3]) {
       for (std::size_t k = 0; k < 3; ++k)
       {
         length[k] = lengths[3 * f + k];

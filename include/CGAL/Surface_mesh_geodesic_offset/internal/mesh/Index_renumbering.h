@@ -87,11 +87,10 @@ public:
   std::size_t index_in_mesh(face_descriptor f) const { return std::size_t(get(m_fim, f)); }
 
 private:
-  enum
-  {
+  enum {
     worthwhile = 1 << 14, // faces: smaller meshes fit in the caches
-    near = 1 << 10, // index distance of neighbours that are likely to be cached together
-    sample = 1 << 12 // faces
+    near = 1 << 10,       // index distance of neighbours that are likely to be cached together
+    sample = 1 << 12      // faces
   };
 
   template <class I>

@@ -20,8 +20,7 @@ namespace internal {
 template <class Point_3, class FT, class P>
 decltype(auto) converted_point(const P& p)
 {
-  if constexpr (std::is_same<P, Point_3>::value)
-    return (p);
+  if constexpr (std::is_same<P, Point_3>::value) return (p);
   else
   {
     typedef std::decay_t<decltype(p.x())> From;

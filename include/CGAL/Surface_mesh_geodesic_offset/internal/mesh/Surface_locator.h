@@ -427,10 +427,7 @@ private:
     return {map.point(source(h, tm)), map.point(target(h, tm)), map.point(target(next(h, tm), tm))};
   }
 
-  Triangle_projection<Kernel> projection(face_descriptor f) const
-  {
-    return Triangle_projection<Kernel>(corners(f));
-  }
+  Triangle_projection<Kernel> projection(face_descriptor f) const { return Triangle_projection<Kernel>(corners(f)); }
 
   // Moves l, the location of p, to a vertex or an edge within the tolerance.
   Face_location snapped(const Face_location& l, const Point_3& p, const FT& tolerance) const

@@ -31,7 +31,7 @@ struct Surface_point
 
   Kind kind = FACE;
   Index element = no_index; // vertex, halfedge or face
-  FT x = FT(0), y = FT(0); // EDGE: x along the halfedge; FACE: in the face frame
+  FT x = FT(0), y = FT(0);  // EDGE: x along the halfedge; FACE: in the face frame
 
   static Surface_point at_vertex(Index v)
   {
@@ -106,8 +106,7 @@ Located_point<FT> classify_on_boundary(const Unfolded_mesh<FT>& mesh, Index face
       ++zeros;
       zero = k;
     }
-    else
-      other = k;
+    else other = k;
   }
   if (!valid)
     throw std::invalid_argument("Surface_mesh_geodesic_offset: a location in face " + std::to_string(name()) +
@@ -125,8 +124,7 @@ Located_point<FT> classify_on_boundary(const Unfolded_mesh<FT>& mesh, Index face
 
 // name(): the index of the face for messages, also if it is of another mesh.
 template <class FT, class Name>
-BOOST_FORCEINLINE Located_point<FT> classify(const Unfolded_mesh<FT>& mesh, Index face, const Name& name,
-                                             std::array<FT, 3> w)
+BOOST_FORCEINLINE Located_point<FT> classify(const Unfolded_mesh<FT>& mesh, Index face, const Name& name, std::array<FT, 3> w)
 {
   const FT sum = w[0] + w[1] + w[2];
   const FT eps = Number_policy<FT>::is_inexact ? FT(snapping_tolerance()) : FT(0);
@@ -143,8 +141,7 @@ template <class FT>
 std::vector<Index> faces_of(const Unfolded_mesh<FT>& mesh, const Surface_point<FT>& p)
 {
   std::vector<Index> result;
-  if (p.kind == Surface_point<FT>::FACE)
-    result.push_back(p.element);
+  if (p.kind == Surface_point<FT>::FACE) result.push_back(p.element);
   else if (p.kind == Surface_point<FT>::EDGE)
   {
     result.push_back(mesh.face(p.element));
@@ -153,8 +150,7 @@ std::vector<Index> faces_of(const Unfolded_mesh<FT>& mesh, const Surface_point<F
   else
     mesh.for_each_fan(p.element, [&](Index first) {
       Index c = first;
-      do
-      {
+      do {
         result.push_back(mesh.face(c));
         c = mesh.corner_ccw(c);
       } while (c != no_index && c != first);
@@ -172,8 +168,8 @@ inline int edge_of_bit(unsigned bit)
 // Computes the position of p in the face frame. Returns false if p does not lie in this closed face. `edges` receives one
 // bit per halfedge of the face that contains p.
 template <class FT>
-bool position_in_face(const Unfolded_mesh<FT>& mesh, const Surface_point<FT>& p, Index face,
-                      Point_in_face<FT>& position, unsigned& edges)
+bool position_in_face(const Unfolded_mesh<FT>& mesh, const Surface_point<FT>& p, Index face, Point_in_face<FT>& position,
+                      unsigned& edges)
 {
   edges = 0;
   if (p.kind == Surface_point<FT>::FACE)

@@ -41,8 +41,8 @@ struct Unfolded_halfedge
 {
   FT length;
   FT apex_x, apex_y; // third vertex of the face, in the frame of this halfedge
-  Index twin; // no_index on the border
-  Index origin; // source vertex
+  Index twin;        // no_index on the border
+  Index origin;      // source vertex
 };
 
 // Direction at a vertex: a vector in the frame of an outgoing halfedge, inside the corner between this halfedge and the
@@ -80,8 +80,7 @@ public:
   {
     if constexpr (Number_policy<FT>::is_inexact) m_halfedges.resize(3 * face_at.size(), boost::container::default_init);
     else m_halfedges.resize(3 * face_at.size());
-    if constexpr (std::is_same<Team, Single_worker>::value)
-      set_up(numbers, links, face_at, layout, team, m_corner);
+    if constexpr (std::is_same<Team, Single_worker>::value) set_up(numbers, links, face_at, layout, team, m_corner);
     else
     {
       std::vector<std::atomic<Index>> first_corners(number_of_vertices);
@@ -171,8 +170,7 @@ public:
   bool any_corner(Index first, const Function& f) const
   {
     Index c = first;
-    do
-    {
+    do {
       if (f(c)) return true;
       c = corner_ccw(c);
     } while (c != no_index && c != first);
@@ -257,9 +255,9 @@ private:
   }
 
   template <class Numbers, class Layout, class First_corners>
-  Laid_out_faces lay_out_faces(std::size_t begin, std::size_t end, const Numbers& numbers,
-                               const All_face_links& links, const std::vector<Index>& face_at, const Layout& layout,
-                               First_corners& first_corners, std::vector<double>& lengths)
+  Laid_out_faces lay_out_faces(std::size_t begin, std::size_t end, const Numbers& numbers, const All_face_links& links,
+                               const std::vector<Index>& face_at, const Layout& layout, First_corners& first_corners,
+                               std::vector<double>& lengths)
   {
     constexpr std::size_t ahead = 32;
     const auto lay_out = layout.functor();
@@ -367,8 +365,7 @@ private:
     bool is_below = false; // angle in [pi, 2 pi)
     Fan fan{first, 0, false};
     Index c = first;
-    do
-    {
+    do {
       const Halfedge& h = m_halfedges[c];
       const FT real = x * h.apex_x - y * h.apex_y;
       y = x * h.apex_y + y * h.apex_x;

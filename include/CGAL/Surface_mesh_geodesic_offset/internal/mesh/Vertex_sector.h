@@ -158,8 +158,7 @@ public:
       return;
     }
     const Ray* lower = from.corner != no_index ? &from : nullptr;
-    do
-    {
+    do {
       const bool last = c == to.corner;
       f(c, lower, last ? &to : nullptr);
       lower = nullptr;
@@ -182,8 +181,7 @@ public:
       if (to.corner != no_index) f(Ray(), to, first);
     }
     // If the total angle is 2 pi up to rounding, the two limits may be reversed: then there is no sector.
-    else if (exist(from, to) && !comes_first(back.corner, from.corner, to.corner))
-      f(from, to, from.corner);
+    else if (exist(from, to) && !comes_first(back.corner, from.corner, to.corner)) f(from, to, from.corner);
   }
 
   // Calls f(from, to, first) for the margins of these sectors: the directions beside each bounding ray, up to
@@ -219,9 +217,10 @@ public:
     else
     {
       bool is_flat = true;
-      if (ties) for_each_sector_behind(back, [&](const Ray& from, const Ray& to, Index first) {
-        is_flat = is_flat && is_narrow(from, to, first, FT(1. / (std::uint64_t(1) << 36)));
-      });
+      if (ties)
+        for_each_sector_behind(back, [&](const Ray& from, const Ray& to, Index first) {
+          is_flat = is_flat && is_narrow(from, to, first, FT(1. / (std::uint64_t(1) << 36)));
+        });
       return is_flat ? hidden : FT((std::max)(hidden, FT(1. / (1 << 20))));
     }
   }
@@ -320,8 +319,7 @@ private:
   bool corner_contains_half_turn(const Ray& a, const FT& less) const
   {
     const auto& h = (*m_mesh)[a.corner];
-    return !CGAL::is_zero(less) &&
-           !CGAL::is_positive(cross<FT>(h.apex_x, h.apex_y, -a.x - less * a.y, less * a.x - a.y));
+    return !CGAL::is_zero(less) && !CGAL::is_positive(cross<FT>(h.apex_x, h.apex_y, -a.x - less * a.y, less * a.x - a.y));
   }
 
   bool comes_first(Index c, Index from, Index to) const

@@ -38,8 +38,8 @@ struct Computation_number
 
 // The package's traits class that a class is or derives from; void for other classes.
 template <class K, class TriangleMesh>
-Surface_mesh_geodesic_offset_traits<K, TriangleMesh>
-package_traits_of(const Surface_mesh_geodesic_offset_traits<K, TriangleMesh>*);
+Surface_mesh_geodesic_offset_traits<K, TriangleMesh> package_traits_of(
+  const Surface_mesh_geodesic_offset_traits<K, TriangleMesh>*);
 void package_traits_of(const void*);
 
 template <class Traits>
@@ -47,12 +47,11 @@ using Package_traits = decltype(internal::package_traits_of(static_cast<const Tr
 
 // Functor types of a traits class.
 template <class Traits, class T = const Traits&>
-using Functors_of = std::tuple<decltype(std::declval<T>().construct_apices_2_object()),
-                               decltype(std::declval<T>().change_frame_2_object()),
-                               decltype(std::declval<T>().compare_entry_with_apex_2_object()),
-                               decltype(std::declval<T>().construct_exit_2_object()),
-                               decltype(std::declval<T>().compute_distance_2_object()),
-                               decltype(std::declval<T>().compare_distance_2_object())>;
+using Functors_of =
+  std::tuple<decltype(std::declval<T>().construct_apices_2_object()), decltype(std::declval<T>().change_frame_2_object()),
+             decltype(std::declval<T>().compare_entry_with_apex_2_object()),
+             decltype(std::declval<T>().construct_exit_2_object()), decltype(std::declval<T>().compute_distance_2_object()),
+             decltype(std::declval<T>().compare_distance_2_object())>;
 
 // The traits of the computation: the user's, or, if these are the package's traits or derived from them and the computation
 // uses another number type, the package's traits with that type.

@@ -120,10 +120,7 @@ public:
   friend Number_pair operator/(Number_pair a, Number_pair b) { return Number_pair(_mm_div_pd(a.m_lanes, b.m_lanes)); }
   friend Test operator<(Number_pair a, Number_pair b) { return Test(_mm_cmplt_pd(a.m_lanes, b.m_lanes)); }
   friend Test operator<=(Number_pair a, Number_pair b) { return Test(_mm_cmple_pd(a.m_lanes, b.m_lanes)); }
-  friend Number_pair square_root(Number_pair a)
-  {
-    return Number_pair(_mm_sqrt_pd(_mm_max_pd(a.m_lanes, _mm_setzero_pd())));
-  }
+  friend Number_pair square_root(Number_pair a) { return Number_pair(_mm_sqrt_pd(_mm_max_pd(a.m_lanes, _mm_setzero_pd()))); }
 
 private:
   explicit Number_pair(__m128d lanes) : m_lanes(lanes) {}

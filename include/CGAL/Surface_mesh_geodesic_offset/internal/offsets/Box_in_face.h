@@ -113,8 +113,7 @@ private:
     {
       if (!box->meets(b)) continue;
       const std::size_t i = std::size_t(box - boxes);
-      if (level == 0 ? f(i)
-                     : any_of(level - 1, fan * i, (std::min)(fan * i + fan, m_levels[level - 1].second), b, f))
+      if (level == 0 ? f(i) : any_of(level - 1, fan * i, (std::min)(fan * i + fan, m_levels[level - 1].second), b, f))
         return true;
     }
     return false;

@@ -38,9 +38,8 @@ public:
 
   // `distance`: of the vertices; `tolerance`: of the distances. `distance`, `levels` and `f` must outlive this object.
   Curve_output(const std::shared_ptr<const Surface>& surface, const std::vector<Source_primitive>& primitives,
-               const std::vector<FT>& distance, const Merging_tolerance<FT>& tolerance,
-               const Offset_levels<FT>& levels, const Offset_selection& selection, std::map<Index, Source_side> inside,
-               Function& f)
+               const std::vector<FT>& distance, const Merging_tolerance<FT>& tolerance, const Offset_levels<FT>& levels,
+               const Offset_selection& selection, std::map<Index, Source_side> inside, Function& f)
     : m_context(std::make_shared<Context>(Context{surface, primitives})), m_tolerance(tolerance), m_levels(levels),
       m_select(selection, m_context->primitives, std::move(inside)), m_is_shallow(surface->unfolded, distance),
       m_edge(surface->unfolded.mean_edge_length()), m_function(f)

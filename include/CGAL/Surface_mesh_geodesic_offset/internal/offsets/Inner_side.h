@@ -99,7 +99,8 @@ private:
       FT distance;
       const Point center = FT(1. / 3) * (frame.corner(0) + frame.corner(1) + frame.corner(2));
       const Source_side side = sample(frame.corner(k) + FT(1. / n) * (center - frame.corner(k)), distance);
-      if (m_build.field.distance[vertex] > step && distance > step && are_opposite(m_build.field.source_ref[vertex].side(), side))
+      if (m_build.field.distance[vertex] > step && distance > step &&
+          are_opposite(m_build.field.source_ref[vertex].side(), side))
         m_divides = false;
     }
     Source_side below[n];

@@ -222,8 +222,7 @@ private:
         if (w.is_parallel()) fan.edge = fan_of_strip;
         this->m_fans.push_back(fan);
       };
-      if (w.origin == STARTS_AT_CORNER)
-        add(w.image());
+      if (w.origin == STARTS_AT_CORNER) add(w.image());
       else
       {
         add(w.left);
@@ -260,8 +259,7 @@ private:
     if (is_beside && left.largest > error) return true;
     const auto right = a.values(b.right(), from, to);
     is_beside = is_beside || !(-right.least > error);
-    return is_beside && (left.largest > error || right.largest > error ||
-                         !(a.advance(from, to) > m_tolerances.smallest_cell));
+    return is_beside && (left.largest > error || right.largest > error || !(a.advance(from, to) > m_tolerances.smallest_cell));
   }
 
   // Overload for the window of one other arc b. The points where arc a meets b and the bounding rays of b divide a into parts
@@ -325,8 +323,8 @@ private:
   std::vector<Cone> m_fan_cones;
   bool m_has_fans = false;
   std::size_t m_first_fan = 0; // first arc of a fan
-  std::vector<Arc> m_arcs;   // of the level
-  Box_tree<FT> m_boxes;      // of the arcs
+  std::vector<Arc> m_arcs;     // of the level
+  Box_tree<FT> m_boxes;        // of the arcs
 };
 
 } // namespace internal

@@ -42,9 +42,9 @@ struct Level_cell
   typedef Point_in_face<FT> Point;
   typedef Level_gate<FT> Gate;
 
-  Per_corner<Point> corner; // counterclockwise
+  Per_corner<Point> corner;    // counterclockwise
   Per_corner<Point> direction; // unit vector along side k, from corner k to the next one
-  Per_corner<bool> is_near; // per corner
+  Per_corner<bool> is_near;    // per corner
   std::vector<Gate> gates;     // counterclockwise from corner 0
 
   Half_plane<FT> outside(int k) const
@@ -57,10 +57,7 @@ struct Level_cell
   Point inwards(int k) const { return quarter_turn(direction[k]); }
 
   // Depth of p inside the cell.
-  FT depth(const Point& p) const
-  {
-    return (std::min)({height(0, p), height(1, p), height(2, p)});
-  }
+  FT depth(const Point& p) const { return (std::min)({height(0, p), height(1, p), height(2, p)}); }
 
   FT height(int k, const Point& p) const { return cross(direction[k], p - corner[k]); }
 
@@ -125,8 +122,7 @@ struct Level_cell
         if (before) near = !near;
         (before ? first : second).gates.push_back({g.point, 0, g.is_start, g.id});
       }
-      else
-        beyond[g.side == l ? 0 : 1].push_back(g);
+      else beyond[g.side == l ? 0 : 1].push_back(g);
     }
     first.is_near = {is_near[k], near, is_near[m]};
     second.is_near = {near, is_near[l], is_near[m]};

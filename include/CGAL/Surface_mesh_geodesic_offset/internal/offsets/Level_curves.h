@@ -60,8 +60,7 @@ public:
         m_pieces.back().end = p->end;
         m_pieces.back().end_edge = p->end_edge;
       }
-      else
-        m_pieces.push_back(*p);
+      else m_pieces.push_back(*p);
     }
     if (start != no_index) m_link_at[start] = Index(m_links.size());
     m_links.push_back({start, end, Index(first), Index(m_pieces.size())});
@@ -129,10 +128,11 @@ private:
     if (a.is_straight != b.is_straight || !(a.source_ref == b.source_ref) || a.pseudo_source != b.pseudo_source) return false;
     if (!a.is_straight && !CGAL::is_positive(cross(a.start - a.center, b.end - a.center))) return false;
     // the center of a straight piece is a unit vector
-    const FT of_center =
-      Offset_tolerances<FT>::same_image(a.is_straight ? FT(1) : FT(CGAL::abs(a.radius) + CGAL::abs(a.center.x) + CGAL::abs(a.center.y)));
+    const FT of_center = Offset_tolerances<FT>::same_image(
+      a.is_straight ? FT(1) : FT(CGAL::abs(a.radius) + CGAL::abs(a.center.x) + CGAL::abs(a.center.y)));
     const FT of_radius =
-      a.is_straight ? Offset_tolerances<FT>::same_image(CGAL::abs(a.radius) + CGAL::abs(a.end.x) + CGAL::abs(a.end.y)) : of_center;
+      a.is_straight ? Offset_tolerances<FT>::same_image(CGAL::abs(a.radius) + CGAL::abs(a.end.x) + CGAL::abs(a.end.y))
+                    : of_center;
     return CGAL::abs(a.radius - b.radius) <= of_radius && CGAL::abs(a.center.x - b.center.x) <= of_center &&
            CGAL::abs(a.center.y - b.center.y) <= of_center;
   }

@@ -65,8 +65,16 @@ template <class FT>
 inline Level_piece<FT> piece_through(const Face_window<FT>& w, const FT& radius, const Point_in_face<FT>& start,
                                      const Point_in_face<FT>& end, Index face)
 {
-  return {w.is_parallel() ? FT(-1) * w.image() : w.image(), radius, start, end, face, w.source_ref, w.pseudo_source(),
-          w.is_parallel(), 3, 3};
+  return {w.is_parallel() ? FT(-1) * w.image() : w.image(),
+          radius,
+          start,
+          end,
+          face,
+          w.source_ref,
+          w.pseudo_source(),
+          w.is_parallel(),
+          3,
+          3};
 }
 
 } // namespace internal

@@ -87,8 +87,7 @@ public:
         m_chain.assign(pieces_at(c.first), pieces_at(c.last));
         give_out(c.start, c.end);
       }
-    else
-      link(give_out);
+    else link(give_out);
   }
 
   // Number of cells that were crossed straight although they are larger than rounding: 0 unless a window is missing.
@@ -121,8 +120,8 @@ private:
       cross_straight(cell);
       return;
     }
-    const auto crossings = [this](const Point& o, const Point& u, const FT& length, bool near_at_o, bool near_at_end,
-                                  const auto& out) {
+    const auto crossings =
+      [this](const Point& o, const Point& u, const FT& length, bool near_at_o, bool near_at_end, const auto& out) {
       m_near.start(length, m_arcs.reach(), m_arcs.level());
       m_arcs.for_each_window([&](const Face_window<FT>& w) { this->m_near.add_window(w, o, u, false); });
       m_near.for_each_end(near_at_o, near_at_end, out);
@@ -260,8 +259,7 @@ private:
         m_chain[n - 1].end = m_chain[i].end;
       else if (is_short && n == 0 && !is_last && (l <= t.cover || m_chain[i + 1].off(m_chain[i].start) <= t.tie))
         m_chain[i + 1].start = m_chain[i].start;
-      else
-        m_chain[n++] = m_chain[i];
+      else m_chain[n++] = m_chain[i];
     }
     m_chain.resize(n);
   }
@@ -269,10 +267,10 @@ private:
   const FT m_farther_rounding;
   Level_arcs<FT> m_arcs;
   Near_intervals<FT> m_near; // on segments between cells
-  Cell m_face; // its gates are numbered in their order
+  Cell m_face;               // its gates are numbered in their order
   Level_chains<FT> m_chains;
   Level_walk<FT> m_walk{m_arcs, m_chains};
-  std::vector<Piece> m_chain;  // of the chain in output
+  std::vector<Piece> m_chain; // of the chain in output
   Index m_inner_gates = 0;
   int m_divisions = 0; // of the face
   std::size_t m_forced = 0, m_crossed = 0;

@@ -59,10 +59,7 @@ public:
   typedef Level_chains<FT> Chains;
 
   // Walks along `arcs` and appends to `chains`.
-  Level_walk(const Level_arcs<FT>& arcs, Chains& chains)
-    : m_arcs(arcs), m_chains(chains.chains), m_pieces(chains.pieces)
-  {
-  }
+  Level_walk(const Level_arcs<FT>& arcs, Chains& chains) : m_arcs(arcs), m_chains(chains.chains), m_pieces(chains.pieces) {}
 
   // Traces chains through all gates of a cell, and loops. Returns false if the walk fails; some chains are appended in this
   // case, too.
@@ -121,7 +118,8 @@ private:
     m_followed.push_back({run.start, run.end, run.arc, m_last_followed[run.arc]});
     m_last_followed[run.arc] = m_followed.size() - 1;
     if (m_pieces.size() > first) m_pieces.back().end = run.start;
-    m_pieces.push_back(piece_through(m_arcs[run.arc].window(), m_arcs[run.arc].radius(), run.start, run.end, m_arcs.field().face()));
+    m_pieces.push_back(piece_through(m_arcs[run.arc].window(), m_arcs[run.arc].radius(), run.start, run.end,
+                                     m_arcs.field().face()));
   }
 
   // The longest run along arc i in the cell from a point on it. `is_first`: the point is a gate.
@@ -353,15 +351,15 @@ private:
 
   void forget_followed(std::size_t first)
   {
-    for (; m_followed.size() > first; m_followed.pop_back()) m_last_followed[m_followed.back().arc] = m_followed.back().previous;
+    for (; m_followed.size() > first; m_followed.pop_back())
+      m_last_followed[m_followed.back().arc] = m_followed.back().previous;
   }
 
   // True if all pieces of the loop start within a tie of the first one.
   bool is_within_tie(std::size_t first) const
   {
-    return std::all_of(pieces_at(first), m_pieces.end(), [&](const Piece& p) {
-      return length(p.start - m_pieces[first].start) <= m_arcs.tolerances().tie;
-    });
+    return std::all_of(pieces_at(first), m_pieces.end(),
+                       [&](const Piece& p) { return length(p.start - m_pieces[first].start) <= m_arcs.tolerances().tie; });
   }
 
   // True if the loop whose pieces begin at `first` runs forward and backward along one arc, up to the tolerance `tie`.
@@ -387,8 +385,7 @@ private:
   {
     const FT& tie = m_arcs.tolerances().tie;
     for (std::size_t f = m_last_followed[i]; f != none; f = m_followed[f].previous)
-      if (!(m_arcs[i].advance(m_followed[f].start, p) < -tie) && !(m_arcs[i].advance(p, m_followed[f].end) < -tie))
-        return true;
+      if (!(m_arcs[i].advance(m_followed[f].start, p) < -tie) && !(m_arcs[i].advance(p, m_followed[f].end) < -tie)) return true;
     return false;
   }
 

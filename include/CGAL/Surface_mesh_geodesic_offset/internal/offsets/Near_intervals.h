@@ -65,7 +65,8 @@ public:
   {
     FT lo = w.b0, hi = w.b1;
     if (cut_near_part(w.is_parallel(), w.x, w.y, FT(m_level - w.sigma), lo, hi))
-      add(lo, hi, lo == w.b0 ? w.d0 : m_level, hi == w.b1 ? w.d1 : m_level, depth([&] { return FT(m_level - minimum(w)); }), reversed);
+      add(lo, hi, lo == w.b0 ? w.d0 : m_level, hi == w.b1 ? w.d1 : m_level, depth([&] { return FT(m_level - minimum(w)); }),
+          reversed);
   }
 
   // Adds a window in a face, on the segment from o in the unit direction u.
@@ -73,7 +74,8 @@ public:
   {
     // The image is a point of the face, so straight paths from it to all points of the face are on the surface. The cone is not
     // tested: a ray may run along the segment up to rounding.
-    if (w.origin >= STARTS_IN_FACE && !w.is_parallel()) return add_disk(w.image(), FT(m_level - w.sigma), o, u, reversed, FT(0), m_length);
+    if (w.origin >= STARTS_IN_FACE && !w.is_parallel())
+      return add_disk(w.image(), FT(m_level - w.sigma), o, u, reversed, FT(0), m_length);
     // Add the ends of a source segment as points, too. An edge perpendicular to it at an end may be outside its rays by
     // rounding.
     if (w.origin >= STARTS_IN_FACE)

@@ -103,8 +103,9 @@ public:
   void take_pending(const std::vector<Index>& faces, const FT& settled, Team& team)
   {
     add_time_of([&] {
-      this->m_extraction.cut_pending(faces, m_tolerance.least_of(settled), team,
-                                     [this](const FT& distance) { this->release(distance); });
+      this->m_extraction.cut_pending(faces, m_tolerance.least_of(settled), team, [this](const FT& distance) {
+        this->release(distance);
+      });
     });
   }
 

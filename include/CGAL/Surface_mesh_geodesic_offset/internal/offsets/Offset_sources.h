@@ -62,10 +62,7 @@ public:
   }
 
   // True if the distance of vertex v is less than a level.
-  bool is_near(Index v, const FT& level) const
-  {
-    return m_field.distance[v] < level && reach(m_field.source_ref[v], level);
-  }
+  bool is_near(Index v, const FT& level) const { return m_field.distance[v] < level && reach(m_field.source_ref[v], level); }
 
   // The difference between a level and the start value of a source: its distance from the source without the start value.
   FT offset(Source_ref source_ref, const FT& level) const { return level - m_field.start_values.of(source_ref); }

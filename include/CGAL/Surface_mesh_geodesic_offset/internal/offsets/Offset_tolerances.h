@@ -113,9 +113,8 @@ struct Offset_tolerances
 
   Offset_tolerances() = default;
   explicit Offset_tolerances(const FT& magnitude)
-    : error(unit(5) * magnitude), cover(unit(6) * magnitude), tie(unit(7) * magnitude),
-      shortest_piece(unit(14) * magnitude), smallest_cell(unit(14) * magnitude),
-      longest_sliver(unit(26) * magnitude)
+    : error(unit(5) * magnitude), cover(unit(6) * magnitude), tie(unit(7) * magnitude), shortest_piece(unit(14) * magnitude),
+      smallest_cell(unit(14) * magnitude), longest_sliver(unit(26) * magnitude)
   {
   }
 

@@ -43,7 +43,9 @@ public:
     if (sum > Offset_tolerances<FT>::longest_shallow_loop(magnitude)) return false;
     const std::vector<Index> faces = faces_of(pieces);
     const bool has_vertex = !closed || faces.size() > 2 || crosses_two_edges(pieces); // a vertex may have two faces
-    const Index v = !closed ? vertex_cut_off(pieces.front(), pieces.back()) : has_vertex ? vertex_inside(faces, pieces) : no_index;
+    const Index v = !closed    ? vertex_cut_off(pieces.front(), pieces.back())
+                  : has_vertex ? vertex_inside(faces, pieces)
+                               : no_index;
     if (has_vertex && !is_common(v, faces)) return false; // more than one vertex inside
     // A curve this short is a point up to rounding, and the sign of its area is rounding. Around a source, its level or the
     // angle of the surface would be below rounding.
@@ -108,8 +110,7 @@ private:
       {
         if (p.face != f) continue;
         FT rise(0);
-        for (const Point& q : corners)
-          rise = (std::max)(rise, p.rise(q));
+        for (const Point& q : corners) rise = (std::max)(rise, p.rise(q));
         least = (std::min)(least, rise);
       }
       result = (std::max)(result, least);

@@ -74,7 +74,10 @@ public:
   }
 
 private:
-  bool is_inside(Source_ref source_ref) const { return m_inside.at(m_primitives[source_ref.primitive()].source) == source_ref.side(); }
+  bool is_inside(Source_ref source_ref) const
+  {
+    return m_inside.at(m_primitives[source_ref.primitive()].source) == source_ref.side();
+  }
 
   Offset_selection m_selection;
   const std::vector<Source_primitive>& m_primitives;

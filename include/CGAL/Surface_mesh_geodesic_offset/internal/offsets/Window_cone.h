@@ -36,8 +36,7 @@ public:
   typedef Point_in_face<FT> Point;
 
   // `margin` widens the box and the largest distance.
-  Window_cone(const Face_window<FT>& w, const Face_frame<FT>& frame, const FT& margin)
-    : m_box(w.left)
+  Window_cone(const Face_window<FT>& w, const Face_frame<FT>& frame, const FT& margin) : m_box(w.left)
   {
     const Point l = w.ray_direction(w.left), r = w.ray_direction(w.right);
     m_left_direction = (FT(1) / length(l)) * l;
@@ -106,7 +105,8 @@ private:
   static Estimate crossing(const Estimate& a, const Estimate& b)
   {
     const Estimate t = a / (a - b);
-    if constexpr (Estimates::leaves_open) return Estimate((std::max)(0., t.inf()), (std::min)(1., t.sup())); // also excludes NaN
+    if constexpr (Estimates::leaves_open)
+      return Estimate((std::max)(0., t.inf()), (std::min)(1., t.sup())); // also excludes NaN
     else return t;
   }
 

@@ -149,7 +149,9 @@ private:
   // Longest edge of the faces that contain a point.
   FT extent(const Surface_point<FT>& p) const
   {
-    const auto of_face = [&](Index f) { return (std::max)({m_mesh[3 * f].length, m_mesh[3 * f + 1].length, m_mesh[3 * f + 2].length}); };
+    const auto of_face = [&](Index f) {
+      return (std::max)({m_mesh[3 * f].length, m_mesh[3 * f + 1].length, m_mesh[3 * f + 2].length});
+    };
     if (p.kind == Surface_point<FT>::FACE) return of_face(p.element);
     FT size = FT(0);
     for (const Index f : faces_of(m_mesh, p)) size = (std::max)(size, of_face(f));
@@ -165,7 +167,8 @@ private:
     Path_tracing<FT>(m_mesh, m_initial, m_field)(p, start, legs, path, is_vertex ? nullptr : &bypass);
     // A path whose length differs by more than rounding gives no distance. The limit is twice the allowance of windows plus 4
     // units per change of the frame: a coordinate has two products and two sums, and frames are as exact as apexes.
-    const FT allowance = Number_policy<FT>::rounding(512 + 4. * double(path.number_of_pieces())) * (start.distance + m_mesh.longest_edge());
+    const FT allowance =
+      Number_policy<FT>::rounding(512 + 4. * double(path.number_of_pieces())) * (start.distance + m_mesh.longest_edge());
     const FT error = CGAL::abs(path.length() - start.length());
     if (!(error <= allowance)) return;
     if (bypass.halfedge != no_index)
@@ -175,8 +178,8 @@ private:
     }
     if (error <= Number_policy<FT>::rounding(4) * start.distance) return; // no better
     const std::vector<Index> faces = faces_of(m_mesh, p);
-    const bool is_on_source = !is_vertex && std::any_of(faces.begin(), faces.end(),
-                                                        [&](Index f) { return path.length() <= size_of_point(m_mesh, f); });
+    const bool is_on_source =
+      !is_vertex && std::any_of(faces.begin(), faces.end(), [&](Index f) { return path.length() <= size_of_point(m_mesh, f); });
     set_distance(start.start_value + (is_on_source ? FT(0) : path.length()), start);
   }
 

@@ -76,18 +76,15 @@ public:
     {
       goal.end = {place, start.source_ref};
       if (m_initial.primitives[primitive].is_segment) return goal;
-      if (place.kind == Surface_point_::VERTEX)
-        goal.vertex = place.element;
-      else if (place.kind == Surface_point_::FACE)
-        goal.face = goal.other_face = place.element;
+      if (place.kind == Surface_point_::VERTEX) goal.vertex = place.element;
+      else if (place.kind == Surface_point_::FACE) goal.face = goal.other_face = place.element;
       else
       {
         goal.face = m_mesh.face(place.element);
         goal.other_face = m_mesh.twin(place.element) == no_index ? goal.face : m_mesh.face(m_mesh.twin(place.element));
       }
     }
-    else
-      goal.end = {Surface_point_::at_vertex(goal.vertex), Source_ref()};
+    else goal.end = {Surface_point_::at_vertex(goal.vertex), Source_ref()};
     return goal;
   }
 
@@ -128,8 +125,7 @@ public:
     if (goal.face == no_index || (walk.face() != goal.face && walk.face() != goal.other_face)) return false;
     Point place;
     unsigned edges;
-    CGAL_assertion_code(const bool is_there =)
-    position_in_face(m_mesh, goal.end.point, walk.face(), place, edges);
+    CGAL_assertion_code(const bool is_there =) position_in_face(m_mesh, goal.end.point, walk.face(), place, edges);
     CGAL_assertion(is_there);
     const Face_frame<FT> frame(m_mesh, walk.face());
     distance = length(place - frame.from_halfedge(int(walk.halfedge() % 3), walk.position()));
@@ -149,7 +145,8 @@ public:
     if (p.kind == Surface_point_::EDGE)
     {
       const FT& size = m_mesh[p.element].length;
-      return (p.x <= part * size && m_mesh.source(p.element) == v) || (size - p.x <= part * size && m_mesh.target(p.element) == v);
+      return (p.x <= part * size && m_mesh.source(p.element) == v) ||
+             (size - p.x <= part * size && m_mesh.target(p.element) == v);
     }
     const Face_frame<FT> frame(m_mesh, p.element);
     for (int k = 0; k < 3; ++k)
@@ -206,12 +203,15 @@ public:
     const Point back = FT(-1) * frame.vector_to_halfedge(int(from % 3), frame.vector_from_halfedge(edge, direction));
     for (const Index face : faces_of(m_mesh, at_v))
       for (const bool ccw : {true, false})
-        search_at_corner(face, [&](const Face_frame<FT>& f, const Point& corner) {
+        search_at_corner(
+          face,
+          [&](const Face_frame<FT>& f, const Point& corner) {
           const Index to = corner_at(v, face);
           Point u = back;
           if (!Number_policy<FT>::is_inexact || !turn_to_corner(m_mesh, from, to, ccw, u)) return way_at(corner);
           return way_in(f, corner, corner, FT(-1) * f.vector_from_halfedge(int(to % 3), u), start.length());
-        }, around);
+          },
+          around);
     if (around.is_found()) return {at_v, around.end.source_ref};
     if (arrival.is_found()) return {at_v, arrival.end.source_ref};
     return end_at_source_vertex(v, start);
@@ -232,7 +232,8 @@ public:
   {
     End end{Surface_point_::at_vertex(v), m_field.source_ref[v]};
     if (is_at_vertex(start.source_ref, v)) end.source_ref = start.source_ref;
-    else if (end.source_ref.is_lateral() && start.source_ref.is_lateral() && source_of(end.source_ref) == source_of(start.source_ref))
+    else if (end.source_ref.is_lateral() && start.source_ref.is_lateral() &&
+             source_of(end.source_ref) == source_of(start.source_ref))
       end.source_ref = Source_ref(end.source_ref.primitive(), start.source_ref.side());
     return end;
   }
@@ -251,8 +252,8 @@ public:
   // adjacent to its goal, in the next face. `has_missed`: a first walk found no end within this error. Then the nearest point
   // of any source is accepted: where coincident sources overlap in part, rounding may exchange their windows. `reach`: length
   // of the straight part of the path.
-  bool ends_on_segment(const Straight_walk<FT>& walk, const Path_start<FT>& start, const FT& reach, const FT& extent, bool has_missed,
-                       End& end) const
+  bool ends_on_segment(const Straight_walk<FT>& walk, const Path_start<FT>& start, const FT& reach, const FT& extent,
+                       bool has_missed, End& end) const
   {
     const Index face = walk.face();
     const Face_frame<FT> frame(m_mesh, face);
@@ -261,7 +262,8 @@ public:
     const Point direction = frame.vector_from_halfedge(edge, walk.direction());
     const FT length_of_way = length(q - p), rounding = Number_policy<FT>::rounding(256) * (start.distance + extent);
     Way way = way_in(frame, p, q, direction, start.length());
-    FT longest = length_of_way + rounding, nearest = has_missed ? FT(length_of_way + longest) : miss(length_of_way, start, extent);
+    FT longest = length_of_way + rounding,
+       nearest = has_missed ? FT(length_of_way + longest) : miss(length_of_way, start, extent);
     if (Number_policy<FT>::is_inexact && has_missed && CGAL::is_positive(length(direction)))
     { // the straight part will be aimed at the end, and may turn by as much as rounding of its length allows
       way.start = q - (reach / length(direction)) * direction;
@@ -305,7 +307,8 @@ private:
         for (int k = 0; k < 3; ++k)
         {
           const Index h = 3 * v.face + Index(k), g = m_mesh.twin(h);
-          if (is_source(m_mesh.source(h)) && length(v.position - frame.corner(k)) <= nearest) return m_field.source_ref[m_mesh.source(h)];
+          if (is_source(m_mesh.source(h)) && length(v.position - frame.corner(k)) <= nearest)
+            return m_field.source_ref[m_mesh.source(h)];
           if (g == no_index || std::find(seen.begin(), seen.end(), m_mesh.face(g)) != seen.end()) continue;
           const FT along = (std::max)(FT(0), (std::min)(frame.along(k, v.position), m_mesh[h].length));
           if (!(length(v.position - frame.on_edge(k, along)) <= nearest)) continue;
@@ -365,8 +368,7 @@ private:
     bool is_of_known_source() const { return preference >= CONE_HAS_START + KNOWN_SOURCE; }
   };
   // Properties of a part of a source, by their weight. The part with the largest sum is the end.
-  enum End_preference
-  {
+  enum End_preference {
     IS_POINT = 1, // a point, if its cone does not contain p
     KNOWN_PRIMITIVE = 2,
     KNOWN_SIDE = 4,
@@ -395,11 +397,13 @@ private:
         if (CGAL::certainly(estimate(dot(way, way)) > CGAL::square(estimate(search.longest)))) return;
         const Bound off = Interval_filter<FT>::upper_bound(CGAL::sqrt(estimate(dot(miss, miss))));
         if (!(off <= limit)) return;
-        const bool is_on_its_side = source_ref.side() == Source_side::LEFT    ? foot.is_left
-                                    : source_ref.side() == Source_side::RIGHT ? foot.is_right
-                                                                        : true;
-        const bool reaches = window ? may_reach(*window, before, allowance)
-                                    : is_on_its_side && (foot.is_beside || !source_ref.is_lateral());
+        const bool is_on_its_side =
+          source_ref.side() == Source_side::LEFT ? foot.is_left
+          : source_ref.side() == Source_side::RIGHT
+            ? foot.is_right
+            : true;
+        const bool reaches =
+          window ? may_reach(*window, before, allowance) : is_on_its_side && (foot.is_beside || !source_ref.is_lateral());
         f(source_ref, foot.point, off, is_on_its_side, reaches);
       };
       const auto local = local_windows(m_initial, face);
@@ -408,14 +412,18 @@ private:
         m_initial.for_each_edge_window(h, [&](const auto& w) { consider(w.source_ref, nullptr); });
     };
     Bound least = limit;
-    for_each_candidate([&](Source_ref, const Surface_point_&, const Bound& off, bool, bool) { least = (std::min)(least, off); });
+    for_each_candidate([&](Source_ref, const Surface_point_&, const Bound& off, bool, bool) {
+      least = (std::min)(least, off);
+    });
     const Bound tied = least + Interval_filter<FT>::upper_bound(estimate(allowance));
-    for_each_candidate([&](Source_ref source_ref, const Surface_point_& point, const Bound& off, bool is_on_its_side, bool reaches) {
-      const int preference = (reaches ? CONE_HAS_START : 0) + (is_on_its_side ? SIDE_OF_ARRIVAL : 0) +
-                             (source_of(source_ref) == source_of(search.known) ? KNOWN_SOURCE : 0) +
-                             (source_ref.side() == search.known.side() ? KNOWN_SIDE : 0) +
-                             (source_ref.primitive() == search.known.primitive() ? KNOWN_PRIMITIVE : 0) +
-                             (!reaches && !m_initial.primitives[source_ref.primitive()].is_segment ? IS_POINT : 0);
+    for_each_candidate([&](Source_ref source_ref, const Surface_point_& point, const Bound& off, bool is_on_its_side,
+                           bool reaches) {
+      const int preference =
+        (reaches ? CONE_HAS_START : 0) + (is_on_its_side ? SIDE_OF_ARRIVAL : 0) +
+        (source_of(source_ref) == source_of(search.known) ? KNOWN_SOURCE : 0) +
+        (source_ref.side() == search.known.side() ? KNOWN_SIDE : 0) +
+        (source_ref.primitive() == search.known.primitive() ? KNOWN_PRIMITIVE : 0) +
+        (!reaches && !m_initial.primitives[source_ref.primitive()].is_segment ? IS_POINT : 0);
       if (!(off <= tied) || preference <= search.preference) return;
       search.preference = preference;
       search.end = {point, source_ref};
@@ -508,8 +516,7 @@ private:
       const int k = edge_of_bit(edge);
       foot.point = Surface_point_::on_edge(3 * face + Index(k), frame.along(k, foot.position));
     }
-    else
-      foot.point = Surface_point_::in_face(face, foot.position);
+    else foot.point = Surface_point_::in_face(face, foot.position);
     return foot;
   }
 

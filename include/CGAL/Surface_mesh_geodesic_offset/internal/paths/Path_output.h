@@ -116,17 +116,13 @@ public:
 
   Path_visits(const Surface& surface, Visitor& visitor) : m_surface(surface), m_visitor(visitor) {}
 
-  void operator()(const Path_crossing<FT>& p) const
-  {
-    m_visitor(m_surface.halfedge_of(p.halfedge), Surface::exported(p.part));
-  }
+  void operator()(const Path_crossing<FT>& p) const { m_visitor(m_surface.halfedge_of(p.halfedge), Surface::exported(p.part)); }
 
   // P: a surface point or a located point.
   template <class P>
   void operator()(const P& p) const
   {
-    if (p.kind == P::VERTEX)
-      m_visitor(m_surface.vertex_of[p.element]);
+    if (p.kind == P::VERTEX) m_visitor(m_surface.vertex_of[p.element]);
     else if (p.kind == P::EDGE)
       m_visitor(m_surface.halfedge_of(p.element), Surface::exported(FT(p.x / m_surface.unfolded[p.element].length)));
     else

@@ -125,7 +125,7 @@ private:
     int corner = 0;
     bool is_near_source = false; // true if a source lies in the face
     FT start_value = FT(0);      // of the source in the face with the shortest straight path
-    Per_corner<Point> q;        // the point in the frames of the face's halfedges
+    Per_corner<Point> q;         // the point in the frames of the face's halfedges
   };
 
   // Reads the packed windows. Of paths that tie, a straight path has the most precise distance.
@@ -134,7 +134,7 @@ private:
     Nearest n;
     const Index h = 3 * face;
     const Per_corner<FT> d = {m_field.distance[m_mesh.source(h)], m_field.distance[m_mesh.source(h + 1)],
-                                 m_field.distance[m_mesh.source(h + 2)]};
+                              m_field.distance[m_mesh.source(h + 2)]};
     const bool is_reached = Number_policy<FT>::is_finite(d[0]);
     if (!is_reached && !Number_policy<FT>::is_finite(m_field.maximum)) return n;
     m_field.kept.prefetch(face);
@@ -211,7 +211,8 @@ private:
       set_goal(start, {w.x, w.y}, w.is_parallel());
       if (start.pseudo_source != no_index)
         for (int k = 0; k < 3; ++k)
-          if (m_mesh.source(3 * p.element + Index(k)) == start.pseudo_source) lead_by_vertex(3 * p.element + Index(k), n.q[k], start);
+          if (m_mesh.source(3 * p.element + Index(k)) == start.pseudo_source)
+            lead_by_vertex(3 * p.element + Index(k), n.q[k], start);
     }
     else
     {
@@ -329,10 +330,8 @@ private:
     // Rays from source vertices are among the windows.
     const FT& d = m_field.distance[v];
     if (m_field.is_source(v) || CGAL::abs(FT(d + way - start.distance)) > allowance) return false;
-    if (ahead)
-      lead_by_vertex(n, (way / edge) * Point{m_mesh[n].apex_x, m_mesh[n].apex_y}, start);
-    else
-      lead_by_vertex(h, {way, FT(0)}, start);
+    if (ahead) lead_by_vertex(n, (way / edge) * Point{m_mesh[n].apex_x, m_mesh[n].apex_y}, start);
+    else lead_by_vertex(h, {way, FT(0)}, start);
     return true;
   }
 

@@ -125,8 +125,7 @@ public:
 private:
   typedef std::atomic<const Leg*> Place;
 
-  enum
-  {
+  enum {
     bytes_a_vertex = 256, // limit of the average
     overhead = 16         // per block
   };

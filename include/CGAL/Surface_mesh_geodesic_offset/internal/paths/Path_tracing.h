@@ -151,7 +151,8 @@ private:
     const bool is_at_vertex = last.vertex != no_index && m_goals.is_at(end.point, last.vertex);
     const bool is_on_edge = last.halfedge != no_index && m_goals.is_at(end.point, last.halfedge, last.position);
     if (is_at_vertex) end.point = Surface_point_::at_vertex(last.vertex);
-    else if (is_on_edge && end.point.kind == Surface_point_::FACE) end.point = Surface_point_::on_edge(last.halfedge, last.position);
+    else if (is_on_edge && end.point.kind == Surface_point_::FACE)
+      end.point = Surface_point_::on_edge(last.halfedge, last.position);
     if (is_at_vertex || is_on_edge)
     {
       CGAL_assertion(!passed.empty());
@@ -170,7 +171,8 @@ private:
   // `has_missed`: true for the second attempt, after the first one has missed the goal. `bypass`: null, or receives the start
   // that find_bypass() has found, if the path was traced from it.
   template <class Passed>
-  End follow(const Path_start<FT>& start, Passed& passed, bool has_missed, Last_passed& last_passed, Path_start<FT>* bypass) const
+  End follow(const Path_start<FT>& start, Passed& passed, bool has_missed, Last_passed& last_passed,
+             Path_start<FT>* bypass) const
   {
     const auto goal = m_goals.of(start);
     const FT reach = length(start.to - start.from);
@@ -202,14 +204,17 @@ private:
     Straight_walk<FT> walk(m_mesh, h, from, to, direction);
     int exit = is_under_way ? walk.exit() : start.exit == -1 ? walk.exit_from_inside() : start.exit;
     Detour detour;
-    const auto end_at_goal = [&] { return m_goals.end_at_goal(goal, walk.halfedge(), walk.position(), walk.direction(), start); };
+    const auto end_at_goal = [&] {
+      return m_goals.end_at_goal(goal, walk.halfedge(), walk.position(), walk.direction(), start);
+    };
     const auto end_at_corner = [&](int k) {
       return m_goals.end_at_vertex(walk.vertex(k), walk.halfedge(), walk.position(), walk.direction(), start);
     };
     // Longest edge of the crossed faces, which determines the rounding. The walk through the strip does not measure its faces;
     // the first face may be the largest.
     FT extent = walk.extent();
-    if (is_under_way) extent = (std::max)(extent, FT(m_mesh[start.halfedge].length + m_mesh[m_mesh.next(start.halfedge)].length));
+    if (is_under_way)
+      extent = (std::max)(extent, FT(m_mesh[start.halfedge].length + m_mesh[m_mesh.next(start.halfedge)].length));
     const Index limit = Index(m_mesh.number_of_halfedges());
     for (Index guard = 0; guard <= limit; ++guard)
     {
@@ -260,23 +265,22 @@ private:
         for (int k : {ahead ? target : source, ahead ? source : target})
           if (passes(walk, k, exit, crossing, start, goal, has_missed)) return end_at_corner(k);
       }
-      else if (passes(walk, 2, exit, crossing, start, goal, has_missed))
-        return end_at_corner(2);
+      else if (passes(walk, 2, exit, crossing, start, goal, has_missed)) return end_at_corner(2);
       if (beyond == no_index) break;
       // A vertex at the crossing, which the path does not use as a new start.
       const FT rounding = Number_policy<FT>::rounding(Path_goals<FT>::roundings_of_position) * crossing.length;
-      const Index v = crossing.t <= rounding                     ? walk.vertex((exit + 1) % 3)
-                      : crossing.t >= crossing.length - rounding ? walk.vertex(exit)
-                                                                 : no_index;
+      const Index v = crossing.t <= rounding ? walk.vertex((exit + 1) % 3)
+                    : crossing.t >= crossing.length - rounding
+                      ? walk.vertex(exit)
+                      : no_index;
       if (is_one_edge(beyond, start.edge) && is_first)
         last_passed = {}; // through rounding, the path crosses the edge on which it starts
       else
       {
         if (v == no_index)
-          passed.push_back(
-            passed.item({beyond, walk.vertex((exit + 1) % 3), walk.vertex(exit), FT(crossing.t / crossing.length)}));
-        else if (v != last_passed.vertex)
-          passed.push_back(passed.item({no_index, v, v, FT(0)}));
+          passed.push_back(passed.item({beyond, walk.vertex((exit + 1) % 3), walk.vertex(exit),
+                                        FT(crossing.t / crossing.length)}));
+        else if (v != last_passed.vertex) passed.push_back(passed.item({no_index, v, v, FT(0)}));
         last_passed = {v, v == no_index ? beyond : no_index, crossing.t};
       }
       walk.cross_over(exit, crossing);
@@ -342,7 +346,8 @@ private:
     if constexpr (!Number_policy<FT>::is_inexact) return (void)start, (void)detour, (void)other, false;
     const Path_start<FT> rest = m_start.at_vertex(detour.vertex);
     const FT size = length(detour.direction), reach = length(start.to - start.from);
-    if (m_goals.is_source(detour.vertex) || rest.halfedge == no_index || rest.pseudo_source != no_index || !CGAL::is_positive(size))
+    if (m_goals.is_source(detour.vertex) || rest.halfedge == no_index || rest.pseudo_source != no_index ||
+        !CGAL::is_positive(size))
       return false;
     const Point along = (FT(1) / size) * detour.direction, begin = detour.goal - reach * along;
     const Face_frame<FT> frame(m_mesh, m_mesh.face(detour.halfedge));

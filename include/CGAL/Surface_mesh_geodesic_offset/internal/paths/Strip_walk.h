@@ -51,8 +51,7 @@ public:
       m_end[1] = lay(right - from);
       m_direction = lay(back);
     };
-    if (k == 0)
-      start(h, n, corner_1, corner, {FT(-1), FT(0)});
+    if (k == 0) start(h, n, corner_1, corner, {FT(-1), FT(0)});
     else
     {
       const FT unit = FT(1) / mesh[k == 1 ? h : p].length;
@@ -138,8 +137,7 @@ private:
   // Makes room for more crossings at once; a call for each would cost more than the crossing. No walk crosses more edges than
   // exist.
   template <class Passed>
-  BOOST_NOINLINE bool make_room(Passed& passed, typename Passed::value_type*& out,
-                                typename Passed::value_type*& last) const
+  BOOST_NOINLINE bool make_room(Passed& passed, typename Passed::value_type*& out, typename Passed::value_type*& last) const
   {
     const std::size_t size = passed.size(), more = 64;
     if (size > m_mesh.number_of_halfedges())
@@ -156,10 +154,7 @@ private:
   FT part() const { return m_end[0].y / (m_end[0].y - m_end[1].y); }
   FT x() const { return m_end[0].x + part() * (m_end[1].x - m_end[0].x); }
 
-  static Point turned(const Point& e, const Point& turn)
-  {
-    return {e.x * turn.x - e.y * turn.y, e.x * turn.y + e.y * turn.x};
-  }
+  static Point turned(const Point& e, const Point& turn) { return {e.x * turn.x - e.y * turn.y, e.x * turn.y + e.y * turn.x}; }
 
   // Height over an edge with the direction e and the end p.
   FT height_of_goal(const Point& p, const Point& e) const { return e.y * (p.x - m_length) - e.x * p.y; }

@@ -22,18 +22,15 @@ namespace internal {
 template <class Core_number, class Number>
 CORE::Expr core_expression(const Number& n)
 {
-  if constexpr (std::is_constructible<Core_number, const Number&>::value)
-    return CORE::Expr(Core_number(n));
-  else
-    return CORE::Expr(Core_number(n.backend().data()));
+  if constexpr (std::is_constructible<Core_number, const Number&>::value) return CORE::Expr(Core_number(n));
+  else return CORE::Expr(Core_number(n.backend().data()));
 }
 
 // Core_rational is CORE::BigRat.
 template <class Core_rational>
 Big_rational rational_of_core(const Core_rational& q)
 {
-  if constexpr (std::is_constructible<Big_rational, const Core_rational&>::value)
-    return Big_rational(q);
+  if constexpr (std::is_constructible<Big_rational, const Core_rational&>::value) return Big_rational(q);
   else
   {
     Big_rational r;

@@ -32,8 +32,9 @@ public:
   static std::optional<std::size_t> bits(Radical_node& top, std::size_t largest)
   {
     Radical_bound bound;
-    Radical_node::visit(top, [&](const Radical_node& n) { return bound.m_sizes.count(&n) == 0; },
-                        [&](const Radical_node& n) { bound.m_sizes.emplace(&n, bound.size(n)); });
+    Radical_node::visit(
+      top, [&](const Radical_node& n) { return bound.m_sizes.count(&n) == 0; },
+      [&](const Radical_node& n) { bound.m_sizes.emplace(&n, bound.size(n)); });
     const Size s = bound.m_sizes.at(&top);
     if (bound.m_is_unknown || bound.m_roots > most_roots) return std::nullopt;
     const double n = s.under + (std::ldexp(1., int(bound.m_roots)) - 1) * s.over;

@@ -128,8 +128,7 @@ public:
         for (CORE::ExprRep* o : {of.first, of.second})
           if (o && made.count(o) == 0) pending.push_back(o);
         if (pending.size() > size) continue;
-        made.emplace(r, of.first ? operation(r, made.at(of.first), of.second ? made.at(of.second) : Reference())
-                                 : constant(r));
+        made.emplace(r, of.first ? operation(r, made.at(of.first), of.second ? made.at(of.second) : Reference()) : constant(r));
       }
       pending.pop_back();
     }

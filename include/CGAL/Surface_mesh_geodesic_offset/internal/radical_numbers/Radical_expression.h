@@ -109,10 +109,7 @@ private:
   {
     return a->rational() && b->rational() && is_small(*a->rational()) && is_small(*b->rational());
   }
-  static bool is_unit(const Reference& a)
-  {
-    return a->rational() && boost::multiprecision::abs(*a->rational()) == 1;
-  }
+  static bool is_unit(const Reference& a) { return a->rational() && boost::multiprecision::abs(*a->rational()) == 1; }
   static Reference with_sign_of(const Reference& unit, const Reference& a)
   {
     return unit->rational()->sign() > 0 ? a : negative(a);

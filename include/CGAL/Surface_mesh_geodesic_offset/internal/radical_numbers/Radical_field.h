@@ -49,8 +49,7 @@ public:
   {
     m_work.spend(a.numerator.size() + b.numerator.size());
     if (a.denominator == b.denominator) return {a.numerator + b.numerator, a.denominator};
-    return {product(a.numerator, b.denominator) + product(b.numerator, a.denominator),
-            product(a.denominator, b.denominator)};
+    return {product(a.numerator, b.denominator) + product(b.numerator, a.denominator), product(a.denominator, b.denominator)};
   }
   Radical_quotient product(const Radical_quotient& a, const Radical_quotient& b)
   {
@@ -99,9 +98,9 @@ private:
 
   struct Symbol
   {
-    Radical_sum square; // contains only earlier symbols
+    Radical_sum square;   // contains only earlier symbols
     const void* identity; // of an unknown number, whose square is not used
-    bool is_independent; // of all earlier independent symbols
+    bool is_independent;  // of all earlier independent symbols
   };
 
   // Integer factors: fractions would have to be reduced in each product of terms.
@@ -181,8 +180,7 @@ private:
         sums[{s.symbols & t.symbols, s.symbols ^ t.symbols, s.set ^ t.set}] +=
           s.factor * t.factor * product_of_set(s.set & t.set);
     for (auto& s : sums)
-      if (!s.second.is_zero())
-        result[s.first[0]].push_back({std::move(s.second), product_of_set(s.first[2]), s.first[1]});
+      if (!s.second.is_zero()) result[s.first[0]].push_back({std::move(s.second), product_of_set(s.first[2]), s.first[1]});
     return true;
   }
 

@@ -194,7 +194,7 @@ private:
   struct Indeterminate
   {
     const Radical_node* node; // null for a square root
-    Quotient square; // for a square root
+    Quotient square;          // for a square root
   };
 
   Radical_identity() : m_work(most_steps) {}
@@ -305,8 +305,7 @@ private:
   Quotient sum(const Quotient& a, const Quotient& b)
   {
     if (a.under == b.under) return {Radical_polynomial::sum(a.over, b.over, m_work), a.under};
-    return {Radical_polynomial::sum(product(a.over, b.under), product(b.over, a.under), m_work),
-            product(a.under, b.under)};
+    return {Radical_polynomial::sum(product(a.over, b.under), product(b.over, a.under), m_work), product(a.under, b.under)};
   }
   Radical_polynomial product(const Radical_polynomial& a, const Radical_polynomial& b)
   {

@@ -121,10 +121,7 @@ public:
     mpfr_set_zero(m_low, 1);
     mpfr_set_zero(m_high, 1);
   }
-  Multiprecision_interval(Multiprecision_interval&& o) : Multiprecision_interval(mpfr_prec_t(MPFR_PREC_MIN))
-  {
-    swap(o);
-  }
+  Multiprecision_interval(Multiprecision_interval&& o) : Multiprecision_interval(mpfr_prec_t(MPFR_PREC_MIN)) { swap(o); }
   Multiprecision_interval& operator=(Multiprecision_interval&& o)
   {
     swap(o);

@@ -31,9 +31,8 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-enum class Radical_operation : std::uint8_t
-{
-  RATIONAL, // constant
+enum class Radical_operation : std::uint8_t {
+  RATIONAL,    // constant
   CLOSED_FORM, // constant: sum of roots of rationals
   CORE_NUMBER, // constant: a number that only CORE can represent
   NEGATE,
@@ -169,8 +168,8 @@ public:
   // Evaluates the node with bounds of at least `bits` bits.
   void refine(std::size_t bits)
   {
-    visit(*this, [&](const Radical_node& n) { return n.precision() < bits; },
-          [&](Radical_node& n) { n.evaluate_with(bits); });
+    visit(
+      *this, [&](const Radical_node& n) { return n.precision() < bits; }, [&](Radical_node& n) { n.evaluate_with(bits); });
   }
 
   static constexpr std::size_t first_precision = 128;

@@ -44,14 +44,14 @@ struct Radical_number_counts
     std::atomic<std::uint64_t> m_value;
   };
 
-  Counter by_identity; // same expression, or a rational
-  Counter by_doubles; // intervals of doubles
-  Counter by_precision; // intervals of up to 256 bits
-  Counter zero_by_identity; // zero by an identity of parts of the expression
-  Counter exactly_zero; // zero by exact arithmetic
-  Counter exactly_not_zero; // nonzero by exact arithmetic; sign by intervals of any precision
+  Counter by_identity;       // same expression, or a rational
+  Counter by_doubles;        // intervals of doubles
+  Counter by_precision;      // intervals of up to 256 bits
+  Counter zero_by_identity;  // zero by an identity of parts of the expression
+  Counter exactly_zero;      // zero by exact arithmetic
+  Counter exactly_not_zero;  // nonzero by exact arithmetic; sign by intervals of any precision
   Counter by_high_precision; // undecided by exact arithmetic; intervals of up to 65536 bits
-  Counter by_root_bound; // intervals of as many bits as the root bound needs
+  Counter by_root_bound;     // intervals of as many bits as the root bound needs
   Counter by_core;
 
   void reset()
@@ -75,8 +75,8 @@ public:
     Vanishing result = Vanishing::UNKNOWN;
     try
     {
-      Radical_node::visit(top, [this](const Radical_node& n) { return !is_known(n); },
-                          [this](Radical_node& n) { evaluate(n); });
+      Radical_node::visit(
+        top, [this](const Radical_node& n) { return !is_known(n); }, [this](Radical_node& n) { evaluate(n); });
       result = m_field.vanishing(value(top));
     }
     catch (const Radical_limit_exceeded&)
@@ -93,10 +93,7 @@ private:
   static constexpr std::size_t most_terms_kept = 64;
 
   bool is_known(const Radical_node& n) const { return n.closed_form() || m_values.count(&n) != 0; }
-  const Radical_quotient& value(const Radical_node& n) const
-  {
-    return n.closed_form() ? *n.closed_form() : m_values.at(&n);
-  }
+  const Radical_quotient& value(const Radical_node& n) const { return n.closed_form() ? *n.closed_form() : m_values.at(&n); }
 
   void evaluate(Radical_node& n)
   {
@@ -322,8 +319,7 @@ private:
       case Radical_operation::SUBTRACT:
         // for y > 0, sqrt(u) - y and u - y^2 have the same sign
         if (is_root(*x) && y->has_sign() && y->sign() > 0) a = Radical_expression::difference(x->operand(0), square(y));
-        else if (is_root(*y) && x->has_sign() && x->sign() > 0)
-          a = Radical_expression::difference(square(x), y->operand(0));
+        else if (is_root(*y) && x->has_sign() && x->sign() > 0) a = Radical_expression::difference(square(x), y->operand(0));
         else return a;
         continue;
       default: return a;
@@ -332,10 +328,7 @@ private:
     return a;
   }
   static bool is_root(const Radical_node& n) { return n.operation() == Radical_operation::SQUARE_ROOT; }
-  static Reference square(const Reference& a)
-  {
-    return is_root(*a) ? a->operand(0) : Radical_expression::product(a, a);
-  }
+  static Reference square(const Reference& a) { return is_root(*a) ? a->operand(0) : Radical_expression::product(a, a); }
 
   static bool refined_has_sign(Radical_node& n, std::size_t bits, std::size_t most_bits)
   {

@@ -59,8 +59,7 @@ public:
     if (a.size() == 1) return Element(1, a[0] * b[0]);
     if (is_zero(a) || is_zero(b)) return Element(a.size());
     const Element a0 = low(a), a1 = high(a), b0 = low(b), b1 = high(b);
-    return joined(sum(product(a0, b0), product(square_of_top(a), product(a1, b1))),
-                  sum(product(a0, b1), product(a1, b0)));
+    return joined(sum(product(a0, b0), product(square_of_top(a), product(a1, b1))), sum(product(a0, b1), product(a1, b0)));
   }
 
   // Precondition: a is not zero.
@@ -98,8 +97,7 @@ public:
       const Element x2 = scaled(sum(a0, scaled(*d, sign)), Big_rational(1, 2));
       if (is_zero(x2)) continue;
       if (const auto x = rational_times_square(x2))
-        return std::make_pair(x->first,
-                              joined(x->second, product(a1, inverse(scaled(x->second, 2 * x->first)))));
+        return std::make_pair(x->first, joined(x->second, product(a1, inverse(scaled(x->second, 2 * x->first)))));
     }
     return std::nullopt;
   }

@@ -54,7 +54,10 @@ private:
     return {CGAL::to_double(result.x), CGAL::to_double(result.y)};
   }
 
-  Square square_of(Index face, const Point& p) const { return {face, std::floor(p.x / m_tolerance), std::floor(p.y / m_tolerance)}; }
+  Square square_of(Index face, const Point& p) const
+  {
+    return {face, std::floor(p.x / m_tolerance), std::floor(p.y / m_tolerance)};
+  }
 
   Index number_in_face(Index face, const Point& p) const
   {

@@ -103,8 +103,7 @@ public:
       Vertex_sector<FT>(m_mesh).for_each_corner(f.from, f.to, f.first, [&](Index h, const Ray* lower, const Ray* upper) {
         add_corner(h, lower, upper, f.source_ref);
       });
-    std::stable_sort(local.begin(), local.end(),
-                     [](const Local_window& a, const Local_window& b) { return a.face < b.face; });
+    std::stable_sort(local.begin(), local.end(), [](const Local_window& a, const Local_window& b) { return a.face < b.face; });
     std::stable_sort(edges.begin(), edges.end(),
                      [](const Edge_window& a, const Edge_window& b) { return a.halfedge < b.halfedge; });
     remove_overlaps();
@@ -149,8 +148,7 @@ public:
   {
     CGAL_precondition(b0 <= b1);
     edges.push_back({h, b0, b1, on_left});
-    if (m_mesh.twin(h) != no_index)
-      edges.push_back({m_mesh.twin(h), m_mesh[h].length - b1, m_mesh[h].length - b0, on_right});
+    if (m_mesh.twin(h) != no_index) edges.push_back({m_mesh.twin(h), m_mesh[h].length - b1, m_mesh[h].length - b0, on_right});
   }
 
   // First distance of a source vertex.
@@ -198,10 +196,7 @@ public:
 
   // Rounding error of the height of a point of a face over an edge: half a unit of the longest edge for the product, and for the
   // sum, of a coordinate. A point inside the face that is nearer to an edge may seem to lie on or behind it.
-  static FT rounding_of_height(const Face_frame<FT>& frame)
-  {
-    return Number_policy<FT>::rounding(1) * frame.longest_edge();
-  }
+  static FT rounding_of_height(const Face_frame<FT>& frame) { return Number_policy<FT>::rounding(1) * frame.longest_edge(); }
 
   // Adds seeds at the corners of the faces of a point inside a face or an edge. source_ref_of(v): source reference for a corner
   // at v, relative to p, in the frame of the point's face or halfedge.
@@ -279,11 +274,12 @@ private:
     Point p, from, to;
     bool has_from, has_to; // otherwise in all directions
     int entry;
-    Index known; // a face that the rays have crossed
+    Index known;                        // a face that the rays have crossed
     unsigned steps = 0, next_known = 1; // edges crossed; when `known` becomes the face
 
     Sector(Index face_, const Point& p_, const Point* from_, const Point* to_, int entry_)
-      : face(face_), p(p_), from(from_ ? *from_ : p_), to(to_ ? *to_ : p_), has_from(from_), has_to(to_), entry(entry_), known(face_)
+      : face(face_), p(p_), from(from_ ? *from_ : p_), to(to_ ? *to_ : p_), has_from(from_), has_to(to_), entry(entry_),
+        known(face_)
     {
     }
   };
@@ -313,12 +309,13 @@ private:
       const bool from_is_inside = from && CGAL::is_positive(cross(source - p, *from));
       const bool to_is_inside = to && CGAL::is_positive(cross(*to, target - p));
       // A narrow sector at an end of the edge belongs to the next edge, unless that is a border edge.
-      const bool is_fan = is_narrow &&
-                          (from_is_inside ? CGAL::is_positive(cross(*from, target - p)) : is_border_edge(face, (k + 2) % 3)) &&
-                          (to_is_inside ? CGAL::is_positive(cross(source - p, *to)) : is_border_edge(face, (k + 1) % 3));
+      const bool is_fan =
+        is_narrow && (from_is_inside ? CGAL::is_positive(cross(*from, target - p)) : is_border_edge(face, (k + 2) % 3)) &&
+        (to_is_inside ? CGAL::is_positive(cross(source - p, *to)) : is_border_edge(face, (k + 1) % 3));
       // Rounding may reverse the ends of a narrow sector on the edge.
       if (!is_clipped && !(is_fan && from_is_inside && to_is_inside)) continue;
-      if (is_fan || loses_rays_beyond(frame, k, p, from_is_inside ? &right : nullptr, to_is_inside ? &left : nullptr, right, left))
+      if (is_fan ||
+          loses_rays_beyond(frame, k, p, from_is_inside ? &right : nullptr, to_is_inside ? &left : nullptr, right, left))
       {
         Sector part(sector);
         part.from = from_is_inside ? *from : source - p;

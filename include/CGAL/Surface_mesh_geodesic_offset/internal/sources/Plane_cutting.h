@@ -40,8 +40,7 @@ class Plane_cutting
   typedef typename Surface::Face_location Face_location;
 
 public:
-  typedef Geodesic_plane_section<Face_location, typename Surface::vertex_descriptor, typename Surface::edge_descriptor>
-    Section;
+  typedef Geodesic_plane_section<Face_location, typename Surface::vertex_descriptor, typename Surface::edge_descriptor> Section;
 
   Plane_cutting(const Surface& surface, const Plane_3& plane)
     : m_surface(surface), m_mesh(surface.unfolded), m_plane(plane), m_side(m_mesh.number_of_vertices(), 0),

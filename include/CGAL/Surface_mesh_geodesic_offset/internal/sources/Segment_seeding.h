@@ -59,8 +59,7 @@ public:
       add_end(source, segments.front().first, segments.front(), false, 0);
       add_end(source, segments.back().second, segments.back(), true, Index(n - 1));
     }
-    for (std::size_t i = closed ? 0 : 1; i < m; ++i)
-      add_joint(source, segments[(i + m - 1) % m], segments[i]);
+    for (std::size_t i = closed ? 0 : 1; i < m; ++i) add_joint(source, segments[(i + m - 1) % m], segments[i]);
   }
 
   // Adds edges, given by one halfedge each.
@@ -73,9 +72,9 @@ public:
       const Index h = halfedges[i];
       if (is_source[h]) continue;
       is_source[h] = 1;
-      const Index primitive = m_out.add_primitive(
-        {source, Index(i), true},
-        {Surface_point_::at_vertex(m_mesh.source(h)), Surface_point_::at_vertex(m_mesh.target(h))});
+      const Index primitive =
+        m_out.add_primitive({source, Index(i), true},
+                            {Surface_point_::at_vertex(m_mesh.source(h)), Surface_point_::at_vertex(m_mesh.target(h))});
       const Source_ref source_ref(primitive, Source_side::NONE);
       m_out.add_edge_windows(h, FT(0), m_mesh[h].length, source_ref, source_ref);
       if (m_mesh.twin(h) != no_index) is_source[m_mesh.twin(h)] = 1;
@@ -374,12 +373,10 @@ private:
   {
     std::vector<Ray> rays;
     Index c = first;
-    do
-    {
+    do {
       if (is_source[c]) rays.push_back({c, FT(1), FT(0)});
       const Index n = m_mesh.corner_ccw(c);
-      if (n == no_index && is_source[m_mesh.previous(c)])
-        rays.push_back({c, m_mesh[c].apex_x, m_mesh[c].apex_y});
+      if (n == no_index && is_source[m_mesh.previous(c)]) rays.push_back({c, m_mesh[c].apex_x, m_mesh[c].apex_y});
       c = n;
     } while (c != no_index && c != first);
     if (rays.empty()) m_out.fans.push_back({v, Ray(), Ray(), first, source_ref});

@@ -50,7 +50,9 @@ public:
     }
     const Uncertain<Comparison_result> ends = compare_bounds(a.b1, b.b1);
     if (CGAL::possibly_not(ends == EQUAL))
-      append(CGAL::certainly(ends == SMALLER) ? SECOND : CGAL::certainly(ends == LARGER) ? FIRST : OPEN,
+      append(CGAL::certainly(ends == SMALLER)  ? SECOND
+             : CGAL::certainly(ends == LARGER) ? FIRST
+                                               : OPEN,
              (std::min)(a1.inf(), b1.inf()), std::numeric_limits<double>::infinity());
     m_end_of_lead = b0.sup();
   }
@@ -112,8 +114,7 @@ private:
   {
     // Positive on one side of the collinear point.
     const Estimated_distance<FT> a(m_a), b(m_b);
-    const Estimate n = a.x * b.y - b.x * a.y,
-                   den = (a.is_parallel ? Estimate(0) : b.y) - (b.is_parallel ? Estimate(0) : a.y);
+    const Estimate n = a.x * b.y - b.x * a.y, den = (a.is_parallel ? Estimate(0) : b.y) - (b.is_parallel ? Estimate(0) : a.y);
     const auto side = [&](const Estimate& t) { return n - t * den; };
     const auto difference = [&](const Estimate& t) { return a(t) - b(t); };
     double p = m_high, q = m_high;
@@ -190,8 +191,7 @@ private:
   void append(int nearer, double from, double to)
   {
     if (!(from < to)) return;
-    if (m_size > 0 && m_zones[m_size - 1].nearer == nearer)
-      m_zones[m_size - 1].to = to;
+    if (m_size > 0 && m_zones[m_size - 1].nearer == nearer) m_zones[m_size - 1].to = to;
     else
     {
       CGAL_assertion(m_size < 8); // two signs and an open zone on both sides of the turning point, and the tail

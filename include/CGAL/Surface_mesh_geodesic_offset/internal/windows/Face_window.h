@@ -18,13 +18,12 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-enum Face_window_origin : unsigned char
-{
+enum Face_window_origin : unsigned char {
   ENTERS_HALFEDGE_0 = 0, // window of halfedge 0, 1, 2 of the face
   ENTERS_HALFEDGE_1 = 1,
   ENTERS_HALFEDGE_2 = 2,
-  STARTS_IN_FACE = 3,    // source primitive in the face
-  STARTS_AT_CORNER = 4   // rays of a source vertex, or the function d(v) + |p - v| of another corner
+  STARTS_IN_FACE = 3,  // source primitive in the face
+  STARTS_AT_CORNER = 4 // rays of a source vertex, or the function d(v) + |p - v| of another corner
 };
 
 // The cone lies between the bounding rays through `left` and `right`, seen along the rays, and is narrower than a half turn.
@@ -39,8 +38,8 @@ struct Face_window
   Source_ref source_ref;
   Index bits; // as in Window
   Face_window_origin origin;
-  unsigned char edge; // STARTS_IN_FACE: halfedge of the chord, 3 if the chord is the source;
-                      // STARTS_AT_CORNER: the corner
+  unsigned char edge;     // STARTS_IN_FACE: halfedge of the chord, 3 if the chord is the source;
+                          // STARTS_AT_CORNER: the corner
   FT start_value = FT(0); // distance at the source, of windows of sources in the face
 
   bool is_parallel() const { return bits & 1u; }
@@ -48,16 +47,28 @@ struct Face_window
   Point image() const { return {x, y}; }
 
   // Direction of the ray through p, not normalized.
-  Point ray_direction(const Point& p) const { return with_rays([&](const auto& rays) { return rays.direction(p); }); }
+  Point ray_direction(const Point& p) const
+  {
+    return with_rays([&](const auto& rays) { return rays.direction(p); });
+  }
 
   // True for a cone without extent.
   bool is_empty() const { return left.x == right.x && left.y == right.y; }
 
-  FT distance_at(const Point& p) const { return with_rays([&](const auto& rays) { return rays.distance_at(p); }); }
+  FT distance_at(const Point& p) const
+  {
+    return with_rays([&](const auto& rays) { return rays.distance_at(p); });
+  }
 
   // See Rays_through_chord.
-  FT left_side(const Point& p) const { return with_rays([&](const auto& rays) { return rays.left_side(p); }); }
-  FT right_side(const Point& p) const { return with_rays([&](const auto& rays) { return rays.right_side(p); }); }
+  FT left_side(const Point& p) const
+  {
+    return with_rays([&](const auto& rays) { return rays.left_side(p); });
+  }
+  FT right_side(const Point& p) const
+  {
+    return with_rays([&](const auto& rays) { return rays.right_side(p); });
+  }
 
   // False if p lies behind the source of a strip by more than the allowance.
   bool is_in_front(const Point& p, const FT& allowance = FT(0)) const

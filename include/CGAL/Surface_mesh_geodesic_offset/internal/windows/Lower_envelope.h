@@ -96,8 +96,7 @@ public:
       close_gaps_at_ends(source, target);
     }
     CGAL_postcondition(are_in_order(m_envelope.data(), m_envelope.data() + m_envelope.size(), length));
-    CGAL_expensive_postcondition(
-      have_consistent_distances(m_envelope.data(), m_envelope.data() + m_envelope.size()));
+    CGAL_expensive_postcondition(have_consistent_distances(m_envelope.data(), m_envelope.data() + m_envelope.size()));
     return m_envelope;
   }
 
@@ -186,7 +185,8 @@ private:
 
   bool have_one_source(const Window& a, const Window& b) const
   {
-    return a.source_ref.side() == b.source_ref.side() && (*m_source_of)[a.source_ref.primitive()] == (*m_source_of)[b.source_ref.primitive()];
+    return a.source_ref.side() == b.source_ref.side() &&
+           (*m_source_of)[a.source_ref.primitive()] == (*m_source_of)[b.source_ref.primitive()];
   }
 
   static bool same_distances(const Window& a, const Window& b)
@@ -206,15 +206,11 @@ private:
     {
       if (CGAL::possibly(estimate(w.b0) >= estimate(a.b1)))
       {
-        if (a.is_propagated() == w.is_propagated() && same_image(a, w) && w.b0 <= a.b1)
-          unite(a, w);
-        else
-          m_envelope.push_back(w);
+        if (a.is_propagated() == w.is_propagated() && same_image(a, w) && w.b0 <= a.b1) unite(a, w);
+        else m_envelope.push_back(w);
       }
-      else if (same_image(a, w))
-        unite(a, w);
-      else
-        resolve_estimated(a, w);
+      else if (same_image(a, w)) unite(a, w);
+      else resolve_estimated(a, w);
     }
     else if (w.b0 >= a.b1)
     {
@@ -223,23 +219,18 @@ private:
         a.b1 = w.b1;
         a.d1 = w.d1;
       }
-      else
-        push_behind(a, w);
+      else push_behind(a, w);
     }
-    else if (same_image(a, w))
-      unite(a, w);
-    else
-      resolve(a, w);
+    else if (same_image(a, w)) unite(a, w);
+    else resolve(a, w);
   }
 
   // Appends w, which begins behind the last window a of the envelope, and closes the gap between them if possible.
   BOOST_FORCEINLINE void push_behind(Window& a, const Window& w)
   {
     const FT gap = w.b0 - a.b1;
-    if (gap > m_max_gap && gap < m_widest_gap)
-      close_gap(a, w);
-    else
-      append(w);
+    if (gap > m_max_gap && gap < m_widest_gap) close_gap(a, w);
+    else append(w);
   }
 
   // Appends a window. The width of the last window before it is final now, except that a part of another window that was kept
@@ -320,9 +311,8 @@ private:
         {
           const Gap gap = gap_between(a, w);
           if (gap.filled_by == Gap::NONE) break;
-          m_envelope[i] =
-            gap.filled_by == Gap::FIRST ? new_part(a, a.b1, a.d1, w.b0, gap.distance)
-                                        : new_part(w, a.b1, gap.distance, w.b0, w.d0);
+          m_envelope[i] = gap.filled_by == Gap::FIRST ? new_part(a, a.b1, a.d1, w.b0, gap.distance)
+                                                      : new_part(w, a.b1, gap.distance, w.b0, w.d0);
           ++i;
         }
         m_has_closed_gaps = true;
@@ -398,8 +388,8 @@ private:
   Gap gap_between(const Window& a, const Window& w)
   {
     const FT size = a.d1 + w.d0 + m_length, allowance = m_gap_rounding * size, gap = w.b0 - a.b1;
-    const bool is_of_one_strip = a.is_parallel() && w.is_parallel() && a.source_ref == w.source_ref &&
-                                 CGAL::abs(FT(a.x - w.x)) <= FT(strip_turn);
+    const bool is_of_one_strip =
+      a.is_parallel() && w.is_parallel() && a.source_ref == w.source_ref && CGAL::abs(FT(a.x - w.x)) <= FT(strip_turn);
     const auto fills = [&](const Window& x, const FT& d, const FT& other) {
       return (is_of_one_strip || may_fill(x, gap, (std::min)({d, a.d1, w.d0}), size)) && CGAL::abs(FT(d - other)) <= allowance;
     };
@@ -465,8 +455,7 @@ private:
       return false; // t is NaN
     }
     FT a_low, a_high = a.d1, w_high = w.d1;
-    if (BOOST_LIKELY(a_ends_first))
-      tie.at(low, high, a_low, w_high);
+    if (BOOST_LIKELY(a_ends_first)) tie.at(low, high, a_low, w_high);
     else
     {
       a_low = tie.at(a, low);
@@ -528,8 +517,7 @@ private:
       m_envelope.back().b0 = t;
       m_envelope.back().d0 = d;
     }
-    else
-      m_order.push_later(part(w, t, d, w.b1, w.d1));
+    else m_order.push_later(part(w, t, d, w.b1, w.d1));
   }
 
   // Appends the part of w behind t, the end of the last window of the envelope. `t` is passed by value, since that window may
@@ -560,8 +548,7 @@ private:
         a.d1 = w.d1;
       }
     }
-    else if (a.is_propagated())
-      keep_later(w, a.b1, w.distance_at(a.b1), w.b1, w.d1);
+    else if (a.is_propagated()) keep_later(w, a.b1, w.distance_at(a.b1), w.b1, w.d1);
     else
     {
       const Window fresh = a;
@@ -586,10 +573,8 @@ private:
       const FT& d_from = i == 0 ? ties.distance_at_low(a_owns) : ties.distance(i - 1);
       const FT& to = i == n ? owner.b1 : ties[i];
       const FT& d_to = i == n ? owner.d1 : ties.distance(i);
-      if (i > 0)
-        keep_later(owner, from, d_from, to, d_to);
-      else if (a_owns)
-        cut_back(to, d_to);
+      if (i > 0) keep_later(owner, from, d_from, to, d_to);
+      else if (a_owns) cut_back(to, d_to);
       else
       {
         cut_back(ties.low(), ties.distance_at_low(true));
@@ -632,8 +617,7 @@ private:
     CGAL_precondition(!m_envelope.empty());
     Window& a = m_envelope.back();
     CGAL_precondition(CGAL::possibly(estimate(t) <= estimate(a.b1)));
-    if (t - a.b0 <= m_min_width)
-      m_envelope.pop_back();
+    if (t - a.b0 <= m_min_width) m_envelope.pop_back();
     else
     {
       a.b1 = t;
@@ -675,7 +659,8 @@ private:
   Inline_sequence<Window> m_envelope;
   Window_order<FT, Window> m_order;
   std::vector<std::size_t> m_occupants; // places in the envelope, in order, of windows that may occupy a gap
-  FT m_length, m_min_width, m_max_gap, m_least_overlap, m_widest_gap, m_wide, m_rounding, m_gap_rounding, m_margin, m_passed, m_nearest_gap;
+  FT m_length, m_min_width, m_max_gap, m_least_overlap, m_widest_gap, m_wide, m_rounding, m_gap_rounding, m_margin, m_passed,
+    m_nearest_gap;
   bool m_has_closed_gaps = false;
 };
 

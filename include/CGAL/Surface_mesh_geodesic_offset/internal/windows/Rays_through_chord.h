@@ -48,7 +48,9 @@ struct Rays_through_chord
     if (is_straight)
     {
       const FT d = distance_at(p);
-      if (!Number_policy<FT>::is_inexact || !is_parallel || !(d < (std::min)(distance_at(left), distance_at(right)) - rounding_at(p))) return d;
+      if (!Number_policy<FT>::is_inexact || !is_parallel ||
+          !(d < (std::min)(distance_at(left), distance_at(right)) - rounding_at(p)))
+        return d;
       // Rounding lets parallel rays along the chord reach points behind it. The distance grows along rays, so such a point is
       // nearer than both ends.
       is_straight = false;

@@ -49,8 +49,7 @@ public:
     : m_change_frame(traits.change_frame_2_object()), m_exit(traits.construct_exit_2_object()),
       m_c(is_left ? face.cl : face.cr), m_s(is_left ? face.sl : face.sr),
       m_turn(is_left ? Pair(face.sl, FT(-face.sl)) : Pair(FT(-face.sr), face.sr)),
-      m_length(is_left ? face.left_length : face.right_length), m_entry_length(face.length),
-      m_apex(face.apex_x, face.apex_y)
+      m_length(is_left ? face.left_length : face.right_length), m_entry_length(face.length), m_apex(face.apex_x, face.apex_y)
   {
   }
 

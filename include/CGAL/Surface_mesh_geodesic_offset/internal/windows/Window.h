@@ -46,7 +46,10 @@ struct Source_ref
   Index value = no_index;
 
   Source_ref() = default;
-  Source_ref(Index primitive, Source_side side) : value(primitive << 2 | Index(side)) { CGAL_precondition(primitive < no_index >> 2); }
+  Source_ref(Index primitive, Source_side side) : value(primitive << 2 | Index(side))
+  {
+    CGAL_precondition(primitive < no_index >> 2);
+  }
   Index primitive() const { return value >> 2; }
   Source_side side() const { return Source_side(value & 3u); }
   bool is_valid() const { return value != no_index; }
@@ -74,7 +77,7 @@ struct alignas(sizeof(FT) == 8 ? 64 : alignof(FT)) Window
   bool is_parallel() const { return bits & 1u; }
   bool is_propagated() const { return bits & 2u; }
   void set_propagated() { bits |= 2u; }
-  void set_new() { bits &= ~Index(2); } // not propagated
+  void set_new() { bits &= ~Index(2); }                   // not propagated
   Index pseudo_source() const { return (bits >> 2) - 1; } // no_index if none
   bool is_merged() const { return Merge_error_code::is_merged(pseudo_source()); }
   static Index make_bits(bool parallel, Index pseudo_source)

@@ -58,8 +58,8 @@ public:
       if (BOOST_LIKELY(!((m_a.bits | m_b.bits) & 1u)))
       {
         typedef Number_pair<FT> Pair;
-        const Pair d = m_distance(Pair(m_a.x, m_b.x), Pair(m_a.y, m_b.y), Pair(m_a.sigma, m_b.sigma), Pair(ta, tb),
-                                  Pair(FT(0)));
+        const Pair d =
+          m_distance(Pair(m_a.x, m_b.x), Pair(m_a.y, m_b.y), Pair(m_a.sigma, m_b.sigma), Pair(ta, tb), Pair(FT(0)));
         da = d.first();
         db = d.second();
         return;
@@ -116,7 +116,8 @@ public:
     if (BOOST_LIKELY(compare(p.d, other) == EQUAL)) return p;
     // The iteration uses a copy, so that this object may stay in registers.
     const FT g = p.d - other;
-    return (g > 0) == (gu > 0) ? Bisector_crossing(*this).iterate(p.t, g, v, gv) : Bisector_crossing(*this).iterate(u, gu, p.t, g);
+    return (g > 0) == (gu > 0) ? Bisector_crossing(*this).iterate(p.t, g, v, gv)
+                               : Bisector_crossing(*this).iterate(u, gu, p.t, g);
   }
 
 private:

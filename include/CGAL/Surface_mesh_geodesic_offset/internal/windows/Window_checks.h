@@ -39,7 +39,7 @@ inline bool are_in_order(const Window<FT>* first, const Window<FT>* last, const 
       return false;
     if (w == first) continue;
     if (Interval_filter<FT>::leaves_open ? CGAL::certainly(estimate(w->b0) < estimate(w[-1].b0))
-                                    : CGAL::certainly(estimate(w->b0) < estimate(w[-1].b1)))
+                                         : CGAL::certainly(estimate(w->b0) < estimate(w[-1].b1)))
       return false;
   }
   return true;

@@ -118,9 +118,7 @@ public:
     Shared& s = *m_shared;
     s.done.store(0, std::memory_order_relaxed);
     s.function = &f;
-    s.call = [](const void* function, unsigned worker, Index i) {
-      (*static_cast<const Function*>(function))(worker, i);
-    };
+    s.call = [](const void* function, unsigned worker, Index i) { (*static_cast<const Function*>(function))(worker, i); };
     if (++m_round == Shared::no_more) m_round = 1;
     std::size_t sum = 0, before = 0;
     for (Index i = 0; i < n; ++i) sum += weight(i);
@@ -170,10 +168,8 @@ private:
     {
       if (m_turns < 2000)
         for (int i = 0; i < 8; ++i) CGAL_GEODESIC_OFFSET_PAUSE();
-      else if (m_turns < 4000)
-        std::this_thread::yield();
-      else
-        std::this_thread::sleep_for(std::chrono::microseconds(50));
+      else if (m_turns < 4000) std::this_thread::yield();
+      else std::this_thread::sleep_for(std::chrono::microseconds(50));
       ++m_turns;
     }
     void renew() { m_turns = 0; }
@@ -218,8 +214,7 @@ private:
     {
       std::uint64_t s = share[of].items.load(std::memory_order_relaxed), less;
       Index place;
-      do
-      {
+      do {
         const Index first = first_of(s), end = end_of(s);
         if (round_of(s) != round || first == end) return false;
         place = is_first ? first : end - 1;
