@@ -56,8 +56,8 @@ precision of `double`; distances are also available with `float`.
 The functions that are passed to a member function - visitors, callbacks that receive offset curves, output iterators, property
 maps - may call all member functions of the object, also those that add or remove sources and those that build. A query
 continues with the field with which it began; a build and an update continue with the sources that there were when they began,
-and their field replaces the last one when they return: of two builds, one within the other, the outer one remains. These
-functions must not assign to the object, move it or destroy it.
+and their field replaces the last one when they return. So if a callback builds within a build, the field of the outer build is the
+result. These functions must not assign to the object, move it or destroy it.
 
 Copies share the field of the last build; the next build of one of them does not change that of the other. An object that was
 moved from has no mesh and no field: `is_built()` is false, it can be destroyed and assigned to, and functions that need the
@@ -69,7 +69,7 @@ mesh or a field throw `std::logic_error`.
 The constructor and the functions that propagate read the named parameter `concurrency_tag`, as in
 `build(parameters::concurrency_tag(Parallel_tag()))`:
 - `Sequential_tag`, the default: the calling thread works alone.
-- `Parallel_tag`: the threads work that TBB may use where the function is called, as limited by `tbb::global_control` and
+- `Parallel_tag`: all threads work that TBB permits at the call, as limited by `tbb::global_control` and
   `tbb::task_arena`. \cgal must be linked with TBB (`CGAL_LINKED_WITH_TBB`), otherwise the call does not compile.
 - `Parallel_if_available_tag`: `Parallel_tag` with TBB, `Sequential_tag` without.
 
@@ -365,8 +365,8 @@ public:
   With a tolerance, distances may be smaller than the exact ones, within the bounds that `statistics()` reports, but not
   larger, and a few windows per vertex are propagated on smooth fine meshes, however fine; see \ref
   SurfaceMeshGeodesicOffsetTolerance. A point whose exact distance exceeds the distance limit by no more than the bound
-  may then have a distance, too. Paths, nearest points, the farthest point and offset curves need an exact build, and
-  throw `std::logic_error`.
+  may then have a distance, too. Offset curves then have a tolerance, see `Geodesic_offset_curve::tolerance()`. The functions for
+  paths, nearest points, the farthest point and Voronoi diagrams need an exact build, and throw `std::logic_error` otherwise.
 
   \tparam NamedParameters a sequence of named parameters
   \param np an optional sequence of named parameters among those listed below

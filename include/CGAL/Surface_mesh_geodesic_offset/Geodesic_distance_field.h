@@ -271,9 +271,8 @@ public:
   }
 
   /// the largest distance of the points of the surface that have a distance; `covered_distance()` if other points are farther
-  /// away. With a tolerance it may be smaller than the exact one, as all distances. Takes time as `farthest_point()`.
-  /// \throws std::logic_error if the build had none of the parameters that `farthest_point()` needs, or no point has a
-  ///         distance
+  /// away. With a tolerance it may be smaller than the exact one by the tolerance. Takes the time of `farthest_point()`.
+  /// \throws std::logic_error if the build had not the parameters that `farthest_point()` needs, or no point has a distance
   FT largest_distance() const { return Surface::exported(farthest().distance); }
   /// @}
 
@@ -284,14 +283,14 @@ public:
   /// were kept, one more propagation up to the largest level cuts all of them.
   ///
   /// A level on which a vertex or a whole edge lies is cut as if these were infinitesimally farther: the curve bounds the
-  /// points that are strictly nearer. With an inexact number type every level is cut 1024 units in the last place below
-  /// itself, with `double` \f$2^{-42}\f$ of its value. Levels beyond the largest distance of the surface, or beyond the
+  /// points that are strictly nearer. With an inexact number type, the offset at \f$d\f$ is cut 1024 units in the last place
+  /// below it, with `double` at \f$(1 - 2^{-42})\, d\f$. Levels beyond the largest distance of the surface, or beyond the
   /// distance limit of the build, give no curves. If the build had a tolerance, so have the curves, see
   /// `Geodesic_offset_curve::tolerance()`.
   ///
-  /// Takes time linear in the size of the mesh and of the curves, but in a face quadratic in the number of its windows that reach a
-  /// distance, and up to cubic if they start at sources that cross each other: hundreds of segments of polylines in one face take
-  /// seconds. Triangulate the face again before.
+  /// Takes time linear in the size of the mesh and of the curves; in each face, quadratic in the number of windows that reach the
+  /// distance, and up to cubic if they start at sources that cross each other. Hundreds of source segments in one face take seconds:
+  /// subdivide such a face first.
   /// \param levels a distance, a range of distances, or an `Offset_levels` object
   /// \param out an output iterator for `Offset_curve`; curves come by increasing distance
   /// \param np optional named parameters: `offset_side`, `end_style` and `concurrency_tag` as in
@@ -305,8 +304,8 @@ public:
     return out;
   }
 
-  /// passes the offset curves to a callback as that of
-  /// `Surface_mesh_geodesic_offset::build_with_offset_curves_by_distance()`. All else is as in `offset_curves()`.
+  /// calls `f(distance, curves)` for each distance, as `Surface_mesh_geodesic_offset::build_with_offset_curves_by_distance()`
+  /// does. All else is as in `offset_curves()`.
   template <class Levels, class Function, class NamedParameters = parameters::Default_named_parameters>
   void offset_curves_by_distance(const Levels& levels, Function&& f,
                                  const NamedParameters& np = parameters::default_values()) const
@@ -324,8 +323,8 @@ public:
 
   /// computes the exact Voronoi diagram of the sources, from kept windows. The time is linear in the size of the mesh and the
   /// number of kept windows, plus \f$ O(n^3) \f$ in each crossed face for the \f$ n \f$ windows that may be nearest there; faces
-  /// with more than 12 of them are divided; where rounding contradicts itself, all is done again with twice the digits of
-  /// `double`. The distances agree on both sides of the curves up to rounding; see `Geodesic_voronoi_diagram` for its limits.
+  /// with more than 12 of them are divided. If rounding makes bisectors inconsistent, the whole diagram is computed again with twice
+  /// the digits of `double`. The distances agree on both sides of the curves up to rounding; see `Geodesic_voronoi_diagram` for its limits.
   /// \throws std::logic_error if the build kept no windows, or had a tolerance, or `covered_distance()` is finite
   Voronoi_diagram voronoi_diagram() const
   {

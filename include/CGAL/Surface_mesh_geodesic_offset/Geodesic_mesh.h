@@ -192,9 +192,9 @@ public:
   /// @}
 
   /// \name Location
-  /// The first hundred calls search all faces, in linear time. Further calls use an AABB tree and take logarithmic time on most
-  /// meshes; a call with more than a hundred points builds the tree at once, in the time of some hundred searches. The results
-  /// do not depend on the tree: of several faces at the same distance, the location is in the face with the lowest index. A
+  /// The first hundred calls search all faces, in linear time. Later calls use an AABB tree and take logarithmic time on most
+  /// meshes. A call with more than a hundred points builds the tree at once, in the time of some hundred searches. Results do not
+  /// depend on the tree: of several faces at the same distance, the location is in the face with the lowest index. A
   /// location whose distance from a vertex or an edge is at most `tolerance`, a length that is not negative, is exactly there;
   /// the default tolerance is the round-off of the coordinates. If the mesh has no points, but lengths, these functions throw
   /// `std::logic_error`.

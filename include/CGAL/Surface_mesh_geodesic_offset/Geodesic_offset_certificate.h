@@ -16,10 +16,10 @@ namespace CGAL {
 /*!
 \ingroup PkgSurfaceMeshGeodesicOffsetClasses
 
-\brief says what limits a `Geodesic_offset_certificate`, or why there is none.
+\brief the point that determines the tolerance of a `Geodesic_offset_certificate`, or the reason why the curves bound no region.
 */
 enum class Offset_certificate_limit {
-  NONE,           ///< nothing: no point is uncertain
+  NONE,           ///< the tolerance is 0: no point is uncertain
   CURVE_TOO_NEAR, ///< a point of a curve whose distance may be smaller than the requested one by the tolerance
   CURVE_TOO_FAR,  ///< a point of a curve whose distance may be larger by the tolerance
   REGION_TOO_FAR, ///< a point of the region, not on a curve, whose distance may be larger by the tolerance

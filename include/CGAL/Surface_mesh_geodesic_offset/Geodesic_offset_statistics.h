@@ -24,10 +24,10 @@ struct Geodesic_offset_statistics
   double relative_error_bound = 0;    ///< with a tolerance: bound of that difference divided by the computed distance
   std::size_t pieces = 0;             ///< pieces of offset curves, before a selection of sides
   std::size_t pieces_peak = 0;        ///< largest number of pieces held at one time, of offsets that are not passed on yet
-  std::size_t forced_joints = 0;      ///< cells larger than rounding in which offset pieces were joined straight
+  std::size_t forced_joints = 0;      ///< cells larger than rounding in which offset pieces were joined by straight segments
   std::size_t faces_searched = 0;     ///< faces in which the largest distance was searched, if the build computes it
   std::size_t sign_decisions = 0;     ///< with exact square roots: number of evaluated signs and comparisons
-  std::size_t exact_decisions = 0;    ///< number of these that intervals of up to 256 bits did not decide
+  std::size_t exact_decisions = 0;    ///< number of sign decisions that intervals of up to 256 bits left open
   double propagation_seconds = 0;     ///< time of the propagation alone
   double offset_seconds = 0;          ///< time of cutting offsets, without the time of the caller's output iterator or callback
 };

@@ -39,10 +39,9 @@ Planes with opposite normals have the same section, with polylines in opposite d
 template <class FaceLocation, class VertexDescriptor, class EdgeDescriptor>
 struct Geodesic_plane_section
 {
-  /// the curves of the section, with the positive side of the plane on their left and the negative side on their right. One of
-  /// the two may be missing: along faces within the plane, and along the boundary of the surface. A polyline ends at the
-  /// boundary, where several polylines meet, and where faces within the plane have the positive side of it and the negative
-  /// side in turn.
+  /// the curves of the section, with the positive side of the plane on their left and the negative side on their right. Along the
+  /// boundary of the surface, and along faces in the plane, only one side exists. A polyline ends at the boundary, where several
+  /// polylines meet, and where the neighbours of faces in the plane change from the positive to the negative side.
   std::vector<Geodesic_polyline<FaceLocation>> polylines;
 
   /// edges that the plane touches: both faces of the edge are on the same side of the plane; or one face is within the plane
@@ -50,7 +49,7 @@ struct Geodesic_plane_section
   std::vector<EdgeDescriptor> touched_edges;
 
   std::vector<VertexDescriptor> touched_vertices; ///< vertices where the plane touches the surface, and no edge there
-  std::size_t number_of_faces_in_plane = 0;       ///< faces within the plane; the section has the border of their union instead
+  std::size_t number_of_faces_in_plane = 0; ///< faces in the plane; the section has the border of their union in their place
 };
 
 } // namespace CGAL

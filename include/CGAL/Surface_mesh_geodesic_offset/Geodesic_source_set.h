@@ -25,8 +25,8 @@ namespace CGAL {
 
 \brief holds sources on a triangle mesh: vertices, locations, polylines and sets of edges, each with an id.
 
-A source set is data alone: it refers to no mesh, and its functions check nothing that only the mesh can tell. The functions
-that compute distances check all sources, and throw `std::invalid_argument` for one that does not fit the mesh.
+A source set refers to no mesh, so its functions do not check whether a source fits one. The functions that compute distances
+check this, and throw `std::invalid_argument` for a source that does not fit the mesh.
 
 \tparam TriangleMesh a model of `FaceListGraph`
 \tparam FT_ the number type of barycentric coordinates

@@ -190,33 +190,35 @@ private:
 \brief represents the exact geodesic Voronoi diagram of sources: the curves between the cells of different sources, and the
 vertices where these curves meet.
 
-The cell of a source consists of the points of the surface that are nearer to it, or not farther from it, than from all other sources;
-start values of sources are additive weights. A cell may be empty, and need not be connected. The curves are the common boundaries
-of two cells, exact up to the rounding of `double`, whatever the number type: the distances of a point of a curve from both sources differ by
-rounding. Bisectors between different paths to one source are not among them.
+The cell of a source consists of the points of the surface whose distance from the source is not larger than that from any other
+source; start values of sources are additive weights. A cell may be empty, and need not be connected. The curves are the common
+boundaries of two cells, exact up to the rounding of `double`, whatever the number type: the distances of a point of a curve from
+both sources differ by rounding. Bisectors between different paths to one source are not among them.
 
-Where sources tie in a whole region, it belongs to one of them, and there are no curves in it: of sources that coincide, or
-that have an end or a corner in common, to that with the smallest id; behind a vertex of the mesh where shortest paths to several
-sources bend, to the nearest source of this vertex, as `Geodesic_distance_field::source_labels()` writes it. Points of a face
-coincide if they are no farther apart than 2^-43 of the longest edge plus the largest distance of a vertex, and so do segments with
-such ends: rounding does not tell in which direction the curves between them would run.
+If sources tie in a whole region, there are no curves in it, and it belongs to one of them. If the sources coincide, or have an end or
+a corner in common, this is the one with the smallest id. Behind a vertex of the mesh where shortest paths to several sources bend, it is
+the nearest source of this vertex, as `Geodesic_distance_field::source_labels()` writes it. Two points of a face coincide if their
+distance is at most 2^-43 of the longest edge plus the largest distance of a vertex, and so do segments with such ends: rounding does
+not determine the direction of the curves between them.
 
-Where the paths of `double` contradict each other by rounding, or curves would be left out, the whole diagram is computed again with twice
-the digits; generic sources do not need it. Then the time is some 10 to 40 times that of the first diagram, and the memory that of a build
-with kept windows of twice the size. So much is done if the number type is `double`, the functors are those of
-`Surface_mesh_geodesic_offset_traits`, the rounding mode is to the nearest, and it takes no more than about two million comparisons of
-bisectors (ten to thirty seconds) plus 128 for each face: where fourteen segments cross nearly at one point in a face, it takes 220,000.
-In all other cases closed curves shorter than 1e-7 of the size of a face plus its distances are left out, unless the surface within is
-larger, as in a needle. In each case, parts of cells that are narrower than 1e-11 of this size may be left out, and curves may be wrong
-in or next to faces of which the height is less than 1e-9 of the length.
+If rounding makes the bisectors inconsistent, or curves would be omitted, the whole diagram is computed again with twice the digits;
+generic sources do not need it. This takes some 10 to 40 times the time of the first diagram, and the memory of a build with kept
+windows of twice the size. It is done only if all of these hold:
+- the number type is `double`, with the functors of `Surface_mesh_geodesic_offset_traits`, and the rounding mode is to nearest;
+- it takes at most about two million comparisons of bisectors (ten to thirty seconds) plus 128 per face. Where fourteen segments
+  nearly cross at one point in a face, it takes 220,000.
 
-Sources may tie along whole rays and edges of the mesh, beside which their distances differ by the square of the distance from there:
-where they share a vertex or a segment, or one starts with the distance from another one. A curve there may be beside this ray, at points
-where the distances are equal up to rounding, and a few of its pieces may be very short. Where rounding decides which bisectors meet,
-curves are straight links between points in which the distances are equal, as they are along the links, to 2^-42 of the longest edge plus
-the largest distance. If a face needs more than about a hundred divisions for each path that enters it, as a face of which the height is
-less than 1e-5 of the length and in which tens of segments cross, `number_of_forced_cells()` tells how many of its parts are crossed
-without this.
+Otherwise, closed curves shorter than 1e-7 of the size of a face plus its distances are omitted, unless the surface inside is larger, as
+in a needle. In both cases, parts of cells that are narrower than 1e-11 of this size may be omitted, and curves may be wrong in or next
+to faces whose height is less than 1e-9 of their length.
+
+Sources that share a vertex or a segment, or of which one starts with the distance from another one, may tie along a whole ray or
+edge. Beside it, their distances differ by the square of the distance from the ray. The curve may then run beside the ray, at points
+where the distances are equal up to rounding, and may have very short pieces. Where rounding decides which bisectors meet, curves
+contain straight links. Along a link, both distances are equal up to 2^-42 of the longest edge plus the largest distance.
+`number_of_forced_cells()` is the number of parts of faces in which the links were not verified. It is 0 except with faces that need
+more than about a hundred divisions per path that enters them, as faces whose height is less than 1e-5 of their length and in which
+tens of segments cross.
 
 Diagrams are immutable values: copies share the data, which may be read by several threads. A diagram must not outlive the mesh. It
 does not need the field, but keeps the windows of the faces that curves cross. All member functions of a diagram that was moved from

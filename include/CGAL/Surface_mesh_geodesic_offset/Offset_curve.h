@@ -72,8 +72,8 @@ public:
   /// in the last place: with `double`, at \f$1 - 2^{-42}\f$ times this distance.
   const FT& distance() const { return m_distance; }
 
-  /// how much larger than `distance()` the exact distances of the region that the curves of this distance enclose may be: 0 if the
-  /// build had no tolerance. See \ref SurfaceMeshGeodesicOffsetTolerance.
+  /// an upper bound of the largest exact distance in the region that the curves of this distance enclose, minus `distance()`: 0 if
+  /// the build had no tolerance. See \ref SurfaceMeshGeodesicOffsetTolerance.
   const FT& tolerance() const { return m_tolerance; }
 
   /// whether the curve is closed.

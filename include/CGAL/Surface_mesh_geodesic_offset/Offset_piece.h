@@ -32,11 +32,11 @@ The geometry is given in the isometric frame of the face `f`, in which distances
 of `halfedge(f, tm)`, the x-axis runs along this halfedge, and the face is above the x-axis. The coordinates of a
 `Face_location` are those with respect to the source of this halfedge, its target, and the third vertex.
 
-Arcs run counterclockwise round their center and are shorter than a half turn, so that every piece has the smaller distances
+Arcs run counterclockwise around their center and are shorter than a half turn, so that every piece has the smaller distances
 on its left. The center is the image of the nearest source point, or of the vertex where the shortest paths bend last,
-unfolded into the plane of the face; it may lie outside the face. If the curve has a tolerance, distances jump by less than it
-at edges: then some pieces are segments along edges, where the points of one side only are nearer than the curve, and the
-center of an arc may be another point whose distances are the right ones within the tolerance.
+unfolded into the plane of the face; it may lie outside the face. If the curve has a tolerance, distances differ on both sides of an
+edge by less than it. Then some pieces are segments along edges, with nearer points on one side only, and the center of an arc may be
+another point that gives the distances within the tolerance.
 
 A piece is a view of its curve, and valid as long as the curve is.
 

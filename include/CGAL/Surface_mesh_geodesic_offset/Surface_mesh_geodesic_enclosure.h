@@ -41,9 +41,9 @@ paths that cross fewer than 2^16 faces without a bend; if there may be others, t
 
 The computation takes about twice the time of `Surface_mesh_geodesic_offset` for the same sources. It relies on IEEE 754
 arithmetic with round to nearest, where every operation rounds to `double`: the header does not compile with `-ffast-math`,
-nor with `-ffinite-math-only`, `-freciprocal-math` or `-fassociative-math` alone, nor where x87 registers are used, be it for
-some operations only (`-mfpmath=both`). Builds check the arithmetic, too, as not all compilers tell their options, and builds
-and queries check the rounding mode.
+nor with `-ffinite-math-only`, `-freciprocal-math` or `-fassociative-math` alone, nor if x87 registers are used for any operation
+(`-mfpmath=both`). Builds check the arithmetic at run time, as not all compilers define macros for their options. Builds and queries
+check the rounding mode.
 
 The template parameters are those of `Surface_mesh_geodesic_offset`; the `FT` of the traits must be `double`.
 */
@@ -185,8 +185,8 @@ public:
   ///        tight as the algorithm gives them: other parameters, such as a distance limit or a tolerance, are ignored.
   /// \throws std::logic_error if the rounding mode is not to nearest, or the compiler has rearranged floating point
   ///         operations
-  /// \throws std::runtime_error if thousands of windows reach one edge of a small mesh: in needle faces thinner than some
-  ///         1e-4, no window may be certainly nearer than another one, so that the number of windows doubles in each face;
+  /// \throws std::runtime_error if thousands of windows reach one edge of a small mesh: in needle faces thinner than about
+  ///         1e-4, bounds may not decide which of two windows is nearer, so that the number of windows doubles in each face;
   ///         or if a path may cross 2^16 faces without a bend, or a distance is uncertain by more than a quarter of the mean
   ///         edge: the error analysis does not cover these cases; or if a start value divided by the longest edge is not finite
   /// \throws std::invalid_argument if the longest edge is not between 1e-60 and 1e60, or an edge is shorter than 1e-60 times the
@@ -245,10 +245,10 @@ public:
   /// `distance` plus the tolerance. If they bound no region, the result says why and where. The curves may come from any program
   /// (see `locate_polyline()`). \ref SurfaceMeshGeodesicOffsetErrorOffsets has the proof.
   ///
-  /// All curves together bound the region: each point is inside, or outside, if an even, or odd, number of curves separates it
-  /// from the sources. An open curve must end at the border, or exactly where
-  /// another open curve ends: points of an edge must be given in the same face. A vertex at `distance`, up to rounding, whose faces are
-  /// several fans that share no edge, is a point of the curves, too: an offset that touches it has no curve there.
+  /// All curves together bound the region: a point is inside if an even number of curves separates it from the sources. An open
+  /// curve must end at the border, or exactly where another open curve ends; if these ends are on an edge, their locations must be
+  /// in the same face. A vertex at `distance`, up to rounding, that several fans share counts as a point of the curves: where an offset
+  /// touches it, the offset is this point, and has no curve there.
   ///
   /// Points of polylines are classified as sources are, and joined by straight segments in their faces. Offset curves are taken
   /// as arcs; where pieces are a rounding apart, the tolerance includes it.

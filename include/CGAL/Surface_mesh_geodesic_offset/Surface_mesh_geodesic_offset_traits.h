@@ -73,10 +73,10 @@ public:
   /*!
   Lays a face out in the plane, once for each of its halfedges.
 
-  From the halfedge vectors \f$u_0 = q - p\f$, \f$u_1 = r - q\f$, \f$u_2 = p - r\f$: the lengths \f$|u_k|\f$, and the apices
-  \f$(-u_k \cdot u_{k+2},\ A) / |u_k|\f$ with the indices modulo 3 and twice the area \f$A = |u_i \times u_{i+1}|\f$, of the
-  two shorter edges. From the vectors, not from the three lengths: with needle faces the law of cosines loses several digits.
-  Exact if `FT` is.
+  Computes, from the halfedge vectors \f$u_0 = q - p\f$, \f$u_1 = r - q\f$, \f$u_2 = p - r\f$, the lengths \f$|u_k|\f$ and the
+  apices \f$(-u_k \cdot u_{k+2},\ A) / |u_k|\f$, with indices modulo 3. \f$A = |u_i \times u_{i+1}|\f$ is twice the area, from the
+  two shorter edges. The law of cosines, which needs only the three lengths, would lose several digits with needle faces. Exact if
+  `FT` is.
   */
   class Construct_apices_2
   {
@@ -137,7 +137,7 @@ public:
     }
 
 #ifndef DOXYGEN_RUNNING
-    // The same for an image in a pair, with c twice, and with s and -s.
+    // Overload for an image in a pair; c holds the cosine twice, s the sine and its negative.
     BOOST_FORCEINLINE void operator()(Pair& image, FT& sigma, bool is_parallel, const Pair& o, const Pair& c,
                                       const Pair& s) const
     {
@@ -150,7 +150,7 @@ public:
       (*this)(image, c, s);
     }
 
-    // The same if the origin remains.
+    // Overload for frames with a common origin.
     BOOST_FORCEINLINE void operator()(Pair& image, const Pair& c, const Pair& s) const
     {
       image = c * image + s * image.swapped();
@@ -231,8 +231,8 @@ public:
   length grows by the fraction \f$sb / D\f$ (of its length up to \f$(b, 0)\f$ if \f$W = 1\f$, of the unit if \f$W = 0\f$).
   Exact if `FT` is. Otherwise the caller computes the distance anew, from the image, if rounding has moved the exit beyond the
   end of the edge; for \f$W = 1\f$ if the length has more than trebled, since growth preserves the relative error of a point very
-  near to the source; for \f$W = 0\f$ if the ray meets the edge at a grazing angle, \f$16 D < s\f$. Else the length keeps the
-  relative accuracy of a small one, which an image far away has not.
+  near to the source; for \f$W = 0\f$ if the ray meets the edge at a grazing angle, \f$16 D < s\f$. In all other cases, the
+  product with the growth keeps the relative accuracy of a short path, and is more accurate than a distance computed from a far image.
   */
   class Construct_exit_2
   {
@@ -248,7 +248,7 @@ public:
       t = -(b * y) * inverse;
       if constexpr (!Geodesic_offset::internal::Number_policy<FT>::is_inexact)
       {
-        is_rough = true; // one square root is less than a root of roots at each face
+        is_rough = true; // one square root of coordinates costs less than nested roots, which grow with each face
         return true;
       }
       const FT growth = s * b * inverse;

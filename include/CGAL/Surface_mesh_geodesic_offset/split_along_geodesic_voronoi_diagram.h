@@ -32,9 +32,10 @@ The new vertices are on the exact curves, and the chords between them nowhere fa
 else is as in `split_along_offset_curves()`: crossed faces are replaced by constrained Delaunay triangulations, points closer than
 2^-33 of the diagonal of the bounding box are one, and a closed mesh stays closed.
 
-The source of a face is the nearest one to the centroid of the face, up to twice the chord tolerance: of sources that differ by less
-there, that on the same side of the curves as its neighbours. In cells narrower than the chord tolerance, chords of different curves may
-cross; faces on both sides of an edge of a curve may then have the same source, and faces on both sides of another edge different ones.
+The source of a face is the one nearest to the centroid of the face. If other sources are farther by at most twice the chord tolerance,
+it is the source of the neighbouring faces on the same side of the curves. In cells narrower than the chord tolerance, chords of
+different curves may cross; then two faces may have the same source although an edge of a curve separates them, and different ones
+although none does.
 
 The time is linear in the size of the mesh, plus \f$ O(n \log n) \f$ for the \f$ n \f$ points of the curves in each face. If an
 exception is thrown before the mesh is changed, as for bad parameters, the mesh stays as it was.

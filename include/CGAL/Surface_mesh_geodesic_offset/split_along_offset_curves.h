@@ -38,12 +38,11 @@ Crossed faces are replaced by the constrained Delaunay triangulation of their pa
 set of points up to rounding, and a closed mesh stays closed. Vertices, edges that no curve crosses, and faces without points of
 curves keep their descriptors.
 
-Points of curves closer to each other, to a vertex or to an edge than 2^-33 of the diagonal of the bounding box, about 1e-10, are
-one point, so that a level that touches a vertex or runs along an edge leaves no thin triangles there. Distances that differ by
-less than 2^-31 of the diagonal count as one level: the curves of the smallest of them split the mesh. Those of distances below
-2^-31 of the diagonal do not, as they are the sources. The chords of curves do not cross, unless two curves are closer to each
-other than 2^-33 of the diagonal, as both sides of a narrow strip. Then the crossings become vertices, which are off their curves
-by up to the chord tolerance.
+Points of curves within 2^-33 of the diagonal of the bounding box, about 1e-10, of each other, of a vertex or of an edge are
+identified, so that a level that touches a vertex or runs along an edge leaves no thin triangles there. Distances that differ by
+less than 2^-31 of the diagonal count as one level, and only the curves of the smallest of them split the mesh. Curves at distances
+below 2^-31 of the diagonal are ignored. The chords of two curves cross only where the curves are closer to each other than 2^-33 of
+the diagonal, as both sides of a narrow strip. Crossings become vertices, within the chord tolerance of the curves.
 
 The time is linear in the size of the mesh, plus \f$ O(n \log n) \f$ for the \f$ n \f$ points of the curves in each face. Curves of
 the same center that are closer to each other than the chord tolerance are divided in the same directions: the points of each
@@ -68,15 +67,15 @@ count for the farther ones. If an exception is thrown before the mesh is changed
     \cgalParamDefault{none}
   \cgalParamNEnd
   \cgalParamNBegin{face_band_map}
-    \cgalParamDescription{receives for each face the number of distances of the curves that its points are not nearer than: 0
-                          for points nearer than all of them}
+    \cgalParamDescription{receives for each face its band: the number of distances of the curves that do not exceed the distances
+                          in the face, 0 nearest to the sources}
     \cgalParamType{a model of `WritablePropertyMap` with `face_descriptor` as key and `std::size_t` as value}
     \cgalParamDefault{none}
-    \cgalParamExtra{The curves must be all curves of their distances, on both sides of the sources; a distance without curves
-                    does not count. If no curve is on the
-                    border of a region, as in a component of the surface that no curve crosses, or only the two sides of strips that are
-                    narrower than the 2^-33 above, its value is the least one, unless `vertex_distance_map` is given and the
-                    region has a vertex of the mesh. Where chords cross, values may be wrong.}
+    \cgalParamExtra{The curves must be all curves of their distances, on both sides of the sources; distances without curves do
+                    not count. A region without a curve on its border, as a component of the surface that no curve crosses, gets the
+                    lowest band, unless `vertex_distance_map` is given and the region has a vertex of the mesh; so does a
+                    region whose border has only curves that are both sides of strips narrower than 2^-33 of the diagonal. Where
+                    chords cross, bands may be wrong.}
   \cgalParamNEnd
   \cgalParamNBegin{face_source_map}
     \cgalParamDescription{receives for each face the id of the source that is nearest to the centroid of the face; other points
