@@ -38,11 +38,10 @@ struct Curve_piece
 };
 
 // Curves as a chain modulo 2. The border of each face is cut into parts, at its corners and at the ends of pieces on its edges.
-// In a face, which is a disc, a chain separates two parts of the border, just inside of it, exactly if an odd number of its ends
-// is between them, wherever it runs meanwhile; from one face to the next the side is the same unless an odd number of pieces
-// runs along the edge. So all sides follow from one of them in each component, without any geometry; and the chain bounds a
-// region exactly if these rules do not contradict each other. Both halves of an edge have parts of their own: they differ where
-// a piece runs along the edge.
+// In a face, a disc, two points just inside the border are on different sides if and only if an odd number of ends of pieces lies
+// between them. From one face to the next, sides are equal unless an odd number of pieces runs along the common edge. So all
+// sides of a component follow from one of them, without any geometry, and the curves bound a region if and only if these rules
+// do not contradict each other. The two halfedges of an edge have separate parts, which differ where a piece runs along the edge.
 class Curve_region
 {
 public:
@@ -50,8 +49,7 @@ public:
 
   explicit Curve_region(const Unfolded_mesh<double>& mesh) : m_mesh(mesh) {}
 
-  // Finds the sides. False if there is a contradiction; it is in the face, or at the halfedge of it, that is noted in
-  // `conflict_face`. `pinches`: vertices with several fans that are points of the curves, too: their fans may be on different sides.
+  // Finds the sides. Returns false if the rules contradict each other, in the face conflict_face() or at one of its halfedges. `pinches`: vertices with several fans that are points of the curves, too: their fans may be on different sides.
   bool set_pieces(const std::vector<Curve_piece>& pieces, const std::vector<Index>& pinches)
   {
     find_events(pieces);

@@ -23,9 +23,9 @@ namespace internal {
 // A point is on the side of a part of the face's border, or on the other side if the segment to the middle of the part crosses
 // an odd number of pieces. Parts of arcs count as their chords if their hulls contain no end of the segment, and all coordinates
 // are rounded. Deforming a closed curve in the face without passing an end of the segment does not change the number modulo 2,
-// nor does it for a curve that ends on the border, if the segment is not near its end there. So if both ends of the segment are
-// away from all hulls by more than rounding, and the segment from those ends of pieces, the number is right; if the middle of no
-// part is so, the side is not known.
+// nor does it for a curve that ends on the border, if the segment is not near its end there. So the number is right if both
+// ends of the segment are away from all hulls by more than rounding, and so is the segment from those ends of pieces. If this holds
+// for the middle of no part, the side is unknown.
 class Face_side
 {
 public:

@@ -1,25 +1,27 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The smallest eps for which curves are proven to be an offset: they bound a region R with {D < d - eps} inside R, and R inside
-// {D <= d + eps}.
+// The smallest tolerance eps for which curves are proven to be an offset: they bound a region R with {D < d - eps} inside R, and R
+// inside {D <= d + eps}.
 //
-// Let C be the union of the curves, and of the vertices at the level where fans meet; and R be C and the points that are separated
-// from the sources by an even number of curves. A component that only such vertices connect to sources may be on either side.
+// Let C be the union of the curves and of the pinched vertices at the level, where several fans meet. Let R be C together with all
+// points that an even number of curves separates from the sources. A component that is connected to the sources only through
+// pinched vertices may count as inside or as outside: both choices satisfy the proof.
 //
-// {D < d - eps} is inside R: the shortest path to a point outside of R starts at a source, in R, and so meets C. D grows along
-// the path, so D is at least the minimum of D on C there. Thus it is enough that D >= d - eps on C, and that all sources are in
-// R. A source with the start value s outside of R needs eps >= d - s, as D is at least s on all paths from it.
+// {D < d - eps} is inside R: a shortest path to a point p outside of R starts at a source, in R, so it meets C. D grows along the
+// path, so D(p) is at least the minimum of D on C. Thus it is enough that D >= d - eps on C, and that all sources are in R. A source
+// with the start value s outside of R needs eps >= d - s, as D is at least s on all paths from it.
 //
 // R is inside {D <= d + eps}: D has a largest value on R, which is compact. The point where it is taken is on C, or on a part of
 // an edge in R, or it is in the interior of a face and of R, and so a local maximum of D. It is enough to bound D on C, on these
-// parts of edges, and at local maxima. The last leg of each shortest path to a point p inside a face is straight. If a direction
-// u has a positive scalar product with the last legs of all shortest paths to p, then p is no local maximum: otherwise, for p_i
-// = p + t_i u with t_i > 0 converging to 0, the last legs of shortest paths to p_i converge to one to p. Let x_i be the points
-// where these legs start. Then D(p_i) - D(p) >= |p_i - x_i| - |p - x_i|, which is positive for small t_i. (x_i stays away from
+// parts of edges, and at local maxima. The last part of each shortest path to a point p inside a face is straight. If a direction
+// u has a positive scalar product with the last parts of all shortest paths to p, then p is no local maximum: otherwise, for p_i
+// = p + t_i u with t_i > 0 converging to 0, the last parts of shortest paths to p_i converge to one to p. Let x_i be the points
+// where these parts start. Then D(p_i) - D(p) >= |p_i - x_i| - |p - x_i|, which is positive for small t_i. (x_i stays away from
 // p, as p is inside the face and, as u exists, not a source.) So a triangle in a face can be left out if all rays that may be
-// shortest in it are within less than half a turn. Others are bisected, until their upper bound is small enough, or they are
-// outside of R: those whose lower bound exceeds d + eps do not meet C, and so are on one side, like any of their points.
+// shortest in it are within less than half a turn. All other triangles are bisected until their upper bound is at most d + eps. A
+// triangle whose lower bound exceeds d + eps meets no curve, so it lies on one side, that of any of its points; outside of R it is
+// left out.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CERTIFIED_OFFSET_CERTIFICATION_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CERTIFIED_OFFSET_CERTIFICATION_H
@@ -67,7 +69,7 @@ public:
   {
   }
 
-  // A polyline on the surface. False if two consecutive points have no face in common; the result tells which.
+  // Adds a polyline on the surface. Returns false if two consecutive points have no common face; then the result has the point.
   bool add_polyline(const std::vector<Place>& points, bool is_closed)
   {
     const std::size_t curve = m_curves++, n = points.size();
@@ -78,9 +80,8 @@ public:
     return true;
   }
 
-  // An offset curve. `places`: the ends of its pieces on the surface, as (start, end). Its pieces must be joined by less than
-  // `joint_tolerance`; where they are a rounding apart, the end of the first piece is the joint of both, and the difference
-  // counts as an uncertainty of their points.
+  // A piece of an offset curve. `from`, `to`: its ends on the surface. Consecutive pieces must meet within `joint_tolerance`. The end
+  // of the earlier piece becomes the joint, and the gap between both counts as uncertainty of the points of the later piece.
   struct Arc
   {
     Index face;
@@ -114,7 +115,7 @@ public:
     m_result.bounds_region = true;
     find_sides(pinches);
     find_reversed();
-    // points first: they show how much is needed at least
+    // points first: they raise the tolerance early, so that fewer pieces are bisected
     for (const Curve_piece& p : m_pieces) bound_point({p.face, p.geometry.hull[0], p.curve}, p.moved);
     for (const Curve_point& p : m_points) bound_point(p, 0);
     for (const Index v : pinches) bound_pinch(v);
@@ -141,13 +142,13 @@ private:
     std::size_t curve;
   };
 
-  // The tolerance is the smallest one up to this part of the distance and the size of a face, twice the errors of the bounds of
-  // a point.
+  // Resolution of the tolerance, as a fraction of the distance plus the size of a face: the tolerance exceeds the smallest one that
+  // the bounds of points prove by at most this. It is twice the error of the bounds of a point.
   static constexpr double resolution = 0x1p-45;
-  // The package cuts a level below itself by 2^-42 of it, and leaves out curves that are smaller. Binding tests: test_certified_offsets,
-  // rounding of levels, pinched vertices.
+  // Relative uncertainty of the level d: the package cuts the offset at d (1 - 2^-42). Binding tests: test_certified_offsets, rounding of
+  // levels, pinched vertices.
   static constexpr double level_rounding = 0x1p-41;
-  // The parts of a piece are never smaller than its 2^-60, and the triangles of a face are no more than 2^16.
+  // Limits of the halvings of a piece, and of the number of triangles of a face.
   static constexpr int most_halvings = 60;
   static constexpr std::size_t most_triangles = 1u << 16;
 
@@ -185,7 +186,7 @@ private:
     Double_double_2 p, q;
     unsigned p_edges, q_edges;
     if (!place_in(arc.face, from, p, p_edges) || !place_in(arc.face, arc.to, q, q_edges)) return false;
-    // a straight piece from a vertex to itself, of the size of rounding, is along no edge
+    // not along an edge: a straight piece of the size of rounding from a vertex to itself
     const bool is_along_edge = !(arc.radius > 0) && (p_edges & q_edges) && m_region.key(from) != m_region.key(arc.to);
     const auto point = [](const Point_in_face<double>& x) { return Double_double_2{Double_double(x.x), Double_double(x.y)}; };
     const Double_double_2 start = point(arc.start), end = point(arc.end);
@@ -226,8 +227,8 @@ private:
     m_bounds.drop_candidates(end);
   }
 
-  // Vertices with several fans that may be at the level, by their bounds; the nearest come first. An offset that touches such a vertex is a
-  // point there, which curves need not have: it is added to C, as it may separate the fans.
+  // Pinched vertices whose bounds contain the level, ordered by their upper bounds. Where an offset touches such a vertex, it is a
+  // single point, and no curve need pass it. The vertex is added to C, as it may separate the fans.
   std::vector<Index> pinches_at_level() const
   {
     std::vector<Index> result;
@@ -293,9 +294,9 @@ private:
     set_limit(limit, face, place, bounds, curve);
   }
 
-  // The first source of a component is inside; so must the others be. Those with start values near the level, up to its rounding,
-  // may be on either side, and decide none; outside, the tolerance is at least their depth below the level. A component without sources
-  // is outside; if it has curves, these are around the pinches through which it is reached.
+  // Decides which side of each component is inside. The first source of a component is inside; if another one is outside, the
+  // tolerance is at least d - s, with the start value s of that source. Sources with start values near the level, up to its rounding,
+  // come last and decide no side. A component without sources is outside; if it has curves, its part at a pinched vertex is inside.
   void find_sides(const std::vector<Index>& pinches)
   {
     const double level = (1 - level_rounding) * m_distance;
@@ -310,7 +311,7 @@ private:
     put_sources(level, m_distance);
   }
 
-  // Sources with start values from `least` to less than `most`.
+  // Places the sources with start values in [least, most).
   void put_sources(double least, double most)
   {
     const auto is_put = [=](double start_value) { return start_value >= least && start_value < most; };
@@ -330,7 +331,7 @@ private:
       raise(m_distance - start_value, Limit::SOURCE_OUTSIDE, face, place, {0., start_value}, no_curve);
   }
 
-  // Curves have the region on their left.
+  // Finds the curves that do not have the region on their left.
   void find_reversed()
   {
     std::vector<char> has_ends(m_curves, 0);
@@ -365,7 +366,7 @@ private:
 
   static double chord(const Curve_piece& p) { return length(difference(p.end, p.start)); }
 
-  // The tolerance must allow for a point of the region, or of a curve.
+  // Raises the tolerance such that it allows for a point of a curve; with no_curve, for a point of the region.
   void allow_for(const Bounds& bounds, const Double_double_2& place, Index face, std::size_t curve)
   {
     raise(bounds.second - m_distance, curve == no_curve ? Limit::REGION_TOO_FAR : Limit::CURVE_TOO_FAR, face, place, bounds,
@@ -373,7 +374,7 @@ private:
     if (curve != no_curve) raise(m_distance - bounds.first, Limit::CURVE_TOO_NEAR, face, place, bounds, curve);
   }
 
-  // A part of a curve.
+  // Bounds D on a part of a curve, in halves if the bounds are too far apart.
   void bound_curve(const Face_piece& part, const Curve_piece& p, std::size_t begin, std::size_t end, int depth)
   {
     if (part.is_short() || depth == most_halvings)
@@ -422,7 +423,7 @@ private:
     {
       if (unfolded.source(h) == no_index || (unfolded.twin(h) != no_index && unfolded.twin(h) < h)) continue;
       const double a = upper(unfolded.source(h)), b = upper(unfolded.target(h)), size = m_mesh.length(h);
-      // by way of the nearer end, with all roundings
+      // the largest value of the shorter path through one of both ends, with the rounding of the sum
       if (0.5 * (a + b + size) * (1 + 0x1p-50) - m_distance <= m_result.excess) continue;
       for (std::size_t i = 0; i < m_region.number_of_parts(h); ++i)
       {
@@ -435,7 +436,7 @@ private:
     }
   }
 
-  // A part of an edge in the region.
+  // Bounds D on a part of an edge that is in the region.
   void bound_part(const Face_piece& part, Index face, std::size_t begin, std::size_t end, int depth)
   {
     const Piece_range r = m_bounds(part, 0., begin, end, false);
@@ -473,7 +474,7 @@ private:
     }
   }
 
-  // A triangle in a face of which parts may be in the region.
+  // A triangle in a face; parts of it may be in the region.
   struct Triangle
   {
     Face_piece piece;

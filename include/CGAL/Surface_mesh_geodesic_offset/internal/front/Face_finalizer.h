@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Finalizes faces that the front has passed: their distances are final. Before, it looks for hidden vertices, which every
+// Finalizes faces that the front has passed: their distances are final. Before, it looks for hidden vertices: vertices that every
 // window missed through rounding.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_FACE_FINALIZER_H
@@ -24,11 +24,11 @@ namespace internal {
 
 // Finalized faces, and hidden vertices. A hidden vertex is given by the halfedge that starts at it, in the face in which it was
 // found.
-struct Passed_faces
+struct Finalized_faces
 {
   std::vector<Index> faces, hidden;
 
-  void append(Passed_faces& other)
+  void append(Finalized_faces& other)
   {
     faces.insert(faces.end(), other.faces.begin(), other.faces.end());
     hidden.insert(hidden.end(), other.hidden.begin(), other.hidden.end());
@@ -46,17 +46,17 @@ public:
   // `tolerance`: bound of the errors of distances that Window_merging introduces.
   Face_finalizer(State& state, const Merging_tolerance<FT>& tolerance) : m_state(state), m_tolerance(tolerance) {}
 
-  // Examines the faces in the current bucket of a part of the front. Appends finalized faces and hidden vertices to `passed`;
+  // Examines the faces in the current bucket of a part of the front. Appends finalized faces and hidden vertices to `finalized`;
   // other faces stay pending.
-  void examine_bucket(Index part, Passed_faces& passed) const
+  void examine_bucket(Index part, Finalized_faces& finalized) const
   {
     Bucket_queue& queue = m_state.part(part).queue;
     Index f;
     while (queue.pop_face(f))
     {
-      if (is_finished(f) || m_state.postpone(f)) continue;
-      if (finds_hidden(f, passed.hidden)) queue.push_face(queue.current() + 2, f);
-      else finish(f, passed.faces);
+      if (is_finalized(f) || m_state.postpone(f)) continue;
+      if (finds_hidden(f, finalized.hidden)) queue.push_face(queue.current() + 2, f);
+      else finalize(f, finalized.faces);
     }
   }
 
@@ -84,14 +84,14 @@ public:
     return false;
   }
 
-  bool is_finished(Index f) const { return m_state.is_finished[f]; }
+  bool is_finalized(Index f) const { return m_state.is_finalized[f]; }
 
-  void finish(Index f, std::vector<Index>& passed) const
+  void finalize(Index f, std::vector<Index>& finalized) const
   {
-    CGAL_precondition(!is_finished(f));
-    if (m_state.face_state[f] & State::SCHEDULED) m_state.unfinished.remove(f);
-    m_state.is_finished[f] = true;
-    passed.push_back(f);
+    CGAL_precondition(!is_finalized(f));
+    if (m_state.face_state[f] & State::SCHEDULED) m_state.pending_faces.remove(f);
+    m_state.is_finalized[f] = true;
+    finalized.push_back(f);
   }
 
 private:

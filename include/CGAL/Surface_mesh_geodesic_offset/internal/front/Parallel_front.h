@@ -72,17 +72,17 @@ public:
     for (Index i = 0; i < m_part.size(); ++i) refresh_part(i);
   }
 
-  // Examines the faces of the bucket. Appends finalized faces to `passed`.
-  void pass_faces(const Face_finalizer<FT>& passing, Passed_faces& passed)
+  // Examines the faces of the bucket. Appends finalized faces to `finalized`.
+  void finalize_faces(const Face_finalizer<FT>& finalizer, Finalized_faces& finalized)
   {
     m_turns.clear();
     for (Index i = 0; i < m_part.size(); ++i)
       if (m_waiting[i].first <= m_state.current() || has_bit(m_recipients | m_gives_up, i)) m_turns.push_back({i, 1});
     m_gives_up = 0;
-    round<&Bucket_queue::number_of_faces>(m_turns.size() >= worthwhile_faces, [this, &passing](unsigned, Index i) {
-      passing.examine_bucket(i, this->m_part[i].passed);
+    round<&Bucket_queue::number_of_faces>(m_turns.size() >= worthwhile_faces, [this, &finalizer](unsigned, Index i) {
+      finalizer.examine_bucket(i, this->m_part[i].finalized);
     });
-    for (const Turn& t : m_turns) passed.append(m_part[t.part].passed);
+    for (const Turn& t : m_turns) finalized.append(m_part[t.part].finalized);
   }
 
   // Releases the lists of finalized faces, in the next round.
@@ -144,7 +144,7 @@ private:
     Part(Wavefront_state<FT>& state, Index part) : sender(state, part) {}
 
     Front_sender<FT> sender;
-    Passed_faces passed;
+    Finalized_faces finalized;
     std::vector<Index> given_up; // faces
   };
 
@@ -191,13 +191,13 @@ private:
     return sum;
   }
 
-  // False if a part is left in this bucket, or before it. Then the front would never end, as no later round has a turn for it.
+  // False if a part has elements left in this or an earlier bucket. No later round would process them, and the front would not end.
   bool is_bucket_processed() const
   {
     return std::all_of(m_waiting.begin(), m_waiting.end(), [this](const Waiting& w) { return w.first > m_state.current(); });
   }
 
-  // A turn of a part: reads messages and releases lists before f, and takes the snapshot after it. f processes all elements of
+  // Processes a part in a round: reads messages and releases lists before f, and takes the snapshot after it. f processes all elements of
   // the bucket that `number` counts.
   template <std::size_t (Bucket_queue::*number)() const, class Function>
   void take_turn(Index i, unsigned worker, const Function& f)

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Starts rays from sources and pseudo-sources: windows on the first edges that the rays cross, and distances of vertices along
-// edges.
+// Starts rays from sources and pseudo-sources: creates windows on the first edges that the rays cross, and updates vertices by
+// paths along edges.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_RAY_SPREADING_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_RAY_SPREADING_H
@@ -41,8 +41,8 @@ public:
       const FT& s = m_initial.start_values.of(item.source_ref);
       return item.source_ref.primitive() >= first_primitive && above < s && s <= last;
     };
-    // First the vertices that are sources, whose `back` has no corner. Of equal distances the first one stays, and the distance
-    // of another vertex may be equal, for example 0.
+    // Seeds of source vertices, whose `back` has no corner, come first: update_vertex() keeps the first of equal distances, and a
+    // source beside the vertex may give it the same distance, for example 0.
     for (const bool is_source : {true, false})
       for (const auto& s : m_initial.seeds)
         if (starts(s) && (s.back.corner == no_index) == is_source)
@@ -55,6 +55,7 @@ public:
     {
       if (!starts(e)) continue;
       const FT& s = m_initial.start_values.of(e.source_ref);
+      // parallel rays at a right angle to the edge
       Window w{FT(0), FT(-1), s, e.b0, e.b1, s, s, e.source_ref, Window::make_bits(true, no_index)};
       m_state.append(e.halfedge, w);
     }
@@ -62,7 +63,7 @@ public:
     {
       if (!starts(l.window)) continue;
       m_state.schedule(l.face);
-      if (l.window.origin == STARTS_AT_CORNER) continue; // its rays were started with the fans
+      if (l.window.origin == STARTS_AT_CORNER) continue; // the loop over the fans has started its rays
       const Face_frame<FT> frame(m_mesh, l.face);
       for (int k = 0; k < 3; ++k)
         if (l.window.edge == 3 || l.window.edge == k) add_exit(l.face, frame, k, l.window, m_state); // 3: rays to all edges
@@ -71,8 +72,9 @@ public:
       if (starts(l.window)) add_exit(l.face, Face_frame<FT>(m_mesh, l.face), int(l.window.edge), l.window, m_state);
   }
 
-  // Starts the rays of a pending pseudo-source, in the sectors and margins behind it (Vertex_sector). `front` receives the
-  // rays: the state, or messages of the parallel front.
+  // Starts the rays behind a vertex: in its sectors if it is pending, and in its margins if paths tie there (Vertex_sector). If
+  // the vertex was hidden, or its image is too near, rays start in all directions; at a pinched vertex, also in all other fans.
+  // `front` receives the windows: the state, or messages of the parallel front.
   template <class Front>
   void spread_from_pseudo_source(Index v, Front& front) const
   {
@@ -103,7 +105,7 @@ public:
   }
 
 private:
-  // Adds the window beyond halfedge k of a face: the part of the rays of a window in the face that cross the halfedge.
+  // Adds the window on the twin of halfedge k of a face: the rays of `local` that leave the face through the halfedge.
   template <class Front>
   void add_exit(Index face, const Face_frame<FT>& frame, int k, const Face_window<FT>& local, Front& front) const
   {
@@ -111,8 +113,8 @@ private:
     if (g == no_index) return;
     Window w{local.x, local.y, local.sigma, FT(0), m_mesh[g].length, FT(0), FT(0), local.source_ref, local.bits};
     const Point_in_face<FT>&origin = frame.corner((k + 1) % 3), &direction = frame.direction(k);
-    change_frame(m_traits, w, origin.x, origin.y, FT(-direction.x), FT(-direction.y)); // to that of the twin
-    // Parallel rays along the edge do not leave through it, whatever the rounding of their direction.
+    change_frame(m_traits, w, origin.x, origin.y, FT(-direction.x), FT(-direction.y)); // to the frame of the twin
+    // Parallel rays within rounding of the direction of the edge do not cross it.
     if (w.is_parallel() ? !(w.y < -Number_policy<FT>::rounding(roundings_of_direction)) : !put_before_edge(frame, w)) return;
     const Point_in_face<FT> left = frame.to_twin(k, local.left), right = frame.to_twin(k, local.right);
     const auto towards = [&](const Point_in_face<FT>& c) {
@@ -144,8 +146,8 @@ private:
     return w.y < FT(0);
   }
 
-  // Units of rounding of the direction of parallel rays in the frame of an edge, which comes from two differences of coordinates
-  // in the face and two turns of the frame, of some 2^4 units each.
+  // Rounding error of the direction of parallel rays in the frame of an edge, in units of rounding: two differences of coordinates
+  // and two changes of the frame, each some 2^4 units.
   static constexpr double roundings_of_direction = 64;
 
   // Units of rounding of a distance by parallel rays: two products and two sums, in the frame of the face and in that of the edge.
@@ -211,6 +213,7 @@ private:
                FT(0),
                source_ref,
                Window::make_bits(false, pseudo_source)};
+      // the frame of the twin runs backwards: the lower ray ends the interval
       if (lower) w.b1 = m_sector.exit_of_ray(h, *lower);
       if (upper) w.b0 = m_sector.exit_of_ray(h, *upper);
       if (w.b0 < w.b1)
@@ -218,14 +221,15 @@ private:
         if (is_margin) w.sigma += m_sector.margin_surcharge((std::max)(w.distance_at(w.b0), w.distance_at(w.b1)));
         w.d0 = w.distance_at(w.b0);
         w.d1 = w.distance_at(w.b1);
-        front.add(g, w); // before spread_beyond(), which updates other vertices than the ends of g
+        front.add(g, w); // before spread_beyond(), which updates vertices that are not ends of g
       }
       if (Number_policy<FT>::is_inexact && pseudo_source != no_index && m_mesh[e].apex_y < least_clear_distance<FT>() * length)
         spread_beyond(h, lower, upper, sigma, source_ref, pseudo_source, front, is_margin);
     });
   }
 
-  // Starts the rays in a corner next to the opposite edge a second time, in the face beyond this edge (Initial_windows).
+  // For a vertex very close to the edge opposite to h: starts the rays of this corner again, as windows of the face beyond that
+  // edge, since intervals on the edge have too few directions through rounding (Initial_windows::add_rays_beyond()).
   template <class Front>
   BOOST_NOINLINE void spread_beyond(Index h, const Ray* lower, const Ray* upper, const FT& sigma, Source_ref source_ref,
                                     Index pseudo_source, Front& front, bool is_margin) const

@@ -84,8 +84,11 @@ public:
   // Notifies the front of changes of the state from outside.
   void refresh_all_parts() {}
 
-  // Examines the faces of the bucket. Appends finalized faces to `passed`.
-  void pass_faces(const Face_finalizer<FT>& passing, Passed_faces& passed) { passing.examine_bucket(0, passed); }
+  // Examines the faces of the bucket. Appends finalized faces to `finalized`.
+  void finalize_faces(const Face_finalizer<FT>& finalizer, Finalized_faces& finalized)
+  {
+    finalizer.examine_bucket(0, finalized);
+  }
 
   // Releases the lists of finalized faces.
   void release(const std::vector<Index>& faces) { m_state.field.lists.release_faces(faces, m_state.field.lists.arena(0)); }

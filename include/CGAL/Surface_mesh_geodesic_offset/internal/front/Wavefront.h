@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Step 3 of the pipeline: the wavefront. A halfedge is processed with its whole list of windows: the list, or its lower
-// envelope, is propagated across the face at once. Vertices where shortest paths bend become pseudo-sources. The consumer
-// receives finalized faces, whose lists are then released.
+// Step 3 of the pipeline: the wavefront. A halfedge is processed with all windows of its list: the list is reduced to its lower
+// envelope if required, and its new windows are propagated across the face together. Vertices where shortest paths bend become
+// pseudo-sources. The consumer receives finalized faces, whose lists are then released.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_WAVEFRONT_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_WAVEFRONT_H
@@ -57,7 +57,7 @@ public:
             const Merging_tolerance<FT>& tolerance = Merging_tolerance<FT>())
     : m_mesh(mesh), m_keep(keep_lists), m_partition(mesh, !tolerance.is_zero()),
       m_state(mesh, maximum_distance, keep_lists || consumer_reads_lists, field, m_partition.parts()),
-      m_start_values(initial.start_values), m_passing(m_state, tolerance), m_spreading(m_state, initial, traits),
+      m_start_values(initial.start_values), m_finalizer(m_state, tolerance), m_spreading(m_state, initial, traits),
       m_groups(keep_lists ? merging_groups(mesh, initial) : initial.source_of), m_front(m_state, m_groups, traits, tolerance)
   {
     m_state.field.lists.set_number_of_primitives(initial.primitives.size());
@@ -66,13 +66,18 @@ public:
   // Limit of the work, see Wavefront_state.
   void limit_work(std::size_t windows) { m_state.limit_work(windows); }
 
-  // Propagates from the source primitives `first_primitive` and later. Known distances stay unless a shorter path is found.
+  // Propagates from the source primitives with numbers of at least `first_primitive`. Known distances stay unless a shorter path
+  // is found.
   //
-  // consumer.take(faces, team) is called once per finalized face, with the threads that may help. The distances at the corners
-  // are final then, and so are the lists of the halfedges if the consumer reads them. consumer.settle(distance) is called when
-  // all faces with points nearer than `distance` have been taken. If consumer.needs_pending_faces(distance, number, finalized)
-  // returns true, consumer.take_pending(faces, distance, team) passes the faces with points nearer than `distance` that have not
-  // been taken, at most `number`, among them the finalized ones; the distances and windows nearer than `distance` are final then.
+  // consumer.take(faces, team) receives finalized faces, each face once. The distances of their corners are final, and so are the
+  // lists of their halfedges if Consumer::reads_lists. `team`: the threads that may help. The other functions of the consumer
+  // are called only if Consumer::reads_lists:
+  //
+  // - consumer.settle(distance): all faces with points nearer than `distance` have been passed to take().
+  // - consumer.needs_pending_faces(distance, number, finalized): returns whether it needs faces before they are finalized.
+  //   `number`: of the pending and the finalized faces together; `finalized`: the faces of the next take().
+  // - consumer.take_pending(faces, distance, team): receives all faces with points nearer than `distance` that have not been passed
+  //   to take(); distances and windows nearer than `distance` are final.
   //
   // goes_on(distance, faces) is called periodically when all points up to `distance` are final; `faces` is the number of
   // finalized faces. If it returns false, `distance` becomes the distance limit.
@@ -83,16 +88,16 @@ public:
     m_first_primitive = first_primitive;
     m_pacing.set_next(m_start_values.next(first_primitive, m_pacing.last()));
     m_state.field.maximum = m_state.maximum;
-    std::size_t settled = 1, asked = 1;
+    std::size_t settled_bucket = 1, reported_bucket = 1;
     while (true)
     {
       start_sources();
       if (!m_front.advance() && !reveals_hidden_vertices() && !jumps_to_next_sources()) break;
-      if (m_state.current() > asked)
-      { // minus one bucket, against rounding
-        asked = m_state.current();
-        const FT final_up_to = FT(double(asked - 1) * m_state.bucket_width());
-        if (!goes_on(final_up_to, m_number_of_passed))
+      if (m_state.current() > reported_bucket)
+      { // one bucket less: rounding may put a distance into the next bucket
+        reported_bucket = m_state.current();
+        const FT final_up_to = FT(double(reported_bucket - 1) * m_state.bucket_width());
+        if (!goes_on(final_up_to, m_number_of_finalized))
         {
           m_state.maximum = (std::min)(m_state.maximum, final_up_to);
           m_state.field.maximum = m_state.maximum;
@@ -100,19 +105,19 @@ public:
         }
       }
       if constexpr (Consumer::reads_lists)
-        if (const std::size_t oldest = m_state.unfinished.oldest(m_state.current()); oldest > settled)
-        { // minus one bucket, against rounding
+        if (const std::size_t oldest = m_state.pending_faces.oldest(m_state.current()); oldest > settled_bucket)
+        { // one bucket less, likewise
           consumer.settle(FT(double(oldest - 1) * m_state.bucket_width()));
-          settled = oldest;
+          settled_bucket = oldest;
         }
-      m_front.pass_faces(m_passing, m_passed);
+      m_front.finalize_faces(m_finalizer, m_finalized);
       if constexpr (Consumer::reads_lists)
         if (m_state.current() > 1) hand_over_pending(consumer, (std::min)(m_state.maximum, settled_distance()));
       hand_over(consumer);
       reveal_vertices();
       m_front.process_bucket(m_spreading);
     }
-    for_each_unfinished_face([this](Index f) { this->m_passing.finish(f, this->m_passed.faces); });
+    for_each_pending_face([this](Index f) { this->m_finalizer.finalize(f, this->m_finalized.faces); });
     if constexpr (Consumer::reads_lists) hand_over_pending(consumer, m_state.maximum);
     hand_over(consumer);
     for (FT& d : m_state.field.distance)
@@ -125,7 +130,7 @@ public:
 
   const FT& maximum() const { return m_state.maximum; }
 
-  // True if rounding has hidden a vertex from the window that gives its distance, as in needles.
+  // True if a vertex has a bent path: a path around the end of a window that misses the vertex through rounding, as in needles.
   bool has_bent_paths() const { return m_state.has_bent_paths(); }
 
   FT largest_distance(Index f) const { return m_state.largest_distance(f); }
@@ -133,25 +138,26 @@ public:
 private:
   // Calls f for each pending face.
   template <class Function>
-  void for_each_unfinished_face(const Function& function)
+  void for_each_pending_face(const Function& function)
   {
     for (Index f = 0; f < m_mesh.number_of_faces(); ++f)
-      if (!m_passing.is_finished(f) && (m_is_update ? m_state.face_state[f] != 0 : is_reached(f, m_state.maximum))) function(f);
+      if (!m_finalizer.is_finalized(f) && (m_is_update ? m_state.face_state[f] != 0 : is_reached(f, m_state.maximum)))
+        function(f);
   }
 
   // Starts the sources with start values not far beyond the front.
   void start_sources()
   {
-    const FT above = m_pacing.last();
+    const FT last_started = m_pacing.last();
     if (!m_pacing.has_next(m_state.maximum) || !m_pacing.advance(m_state, m_mesh.longest_edge())) return;
     m_front.refresh_all_parts();
-    m_state.unfinished.oldest(m_state.current()); // forgets the buckets before
-    m_spreading.start(m_first_primitive, above, m_pacing.last());
+    m_state.pending_faces.oldest(m_state.current()); // drops the counts of the buckets before, which are empty
+    m_spreading.start(m_first_primitive, last_started, m_pacing.last());
     m_front.refresh_all_parts();
     m_pacing.set_next(m_start_values.next(m_first_primitive, m_pacing.last()));
   }
 
-  // Called when no event is left: moves to the sources with the next start value. Returns false if there are none.
+  // Called when the queues are empty: moves to the sources with the next start value. Returns false if there are none.
   bool jumps_to_next_sources()
   {
     if (!m_pacing.has_next(m_state.maximum)) return false;
@@ -160,23 +166,25 @@ private:
     return true;
   }
 
-  // Called when no event is left: reveals hidden vertices. Returns true if one of them moves the front.
+  // Called when the queues are empty: finds hidden vertices, gives them the shorter distances along edges, and queues them.
+  // Returns true if there are any.
   bool reveals_hidden_vertices()
   {
-    for_each_unfinished_face([this](Index f) { this->m_passing.finds_hidden(f, this->m_passed.hidden); });
+    for_each_pending_face([this](Index f) { this->m_finalizer.finds_hidden(f, this->m_finalized.hidden); });
     return reveal_vertices();
   }
 
   bool reveal_vertices()
   {
-    if (m_passed.hidden.empty()) return false;
-    for (Index h : m_passed.hidden) m_state.reveal_vertex(h);
-    m_passed.hidden.clear();
+    if (m_finalized.hidden.empty()) return false;
+    for (Index h : m_finalized.hidden) m_state.reveal_vertex(h);
+    m_finalized.hidden.clear();
     m_front.refresh_all_parts();
     return true;
   }
 
-  // True if the front has reached a face, up to a distance at its corners.
+  // True if the front has reached a face, or the distance of one of its corners is at most `distance`. False for a number
+  // without a face.
   bool is_reached(Index f, const FT& distance) const
   {
     if (m_mesh.source(3 * f) == no_index) return false;
@@ -189,40 +197,40 @@ private:
   template <class Consumer>
   void hand_over(Consumer& consumer)
   {
-    const std::vector<Index>& faces = m_passed.faces;
+    const std::vector<Index>& faces = m_finalized.faces;
     if (faces.empty()) return;
     auto&& team = m_front.team();
     consumer.take(faces, team);
     if (m_keep) m_state.field.kept.keep(faces, m_state.field.lists, m_state.field.distance, m_mesh.number_of_faces(), team);
     m_front.release(faces);
-    m_number_of_passed += faces.size();
-    m_passed.faces.clear();
+    m_number_of_finalized += faces.size();
+    m_finalized.faces.clear();
   }
 
-  // Part of a distance that is far above the rounding of distances, 2^-43 or less, so that a settled distance does not depend on
-  // it. A wider margin would only keep more levels in memory.
+  // Margin of a settled distance, as a fraction of it: far above the relative rounding error of distances, which is at most
+  // 2^-43, so that rounding does not change which faces are settled. A wider margin would only keep more levels in memory.
   static constexpr double settling_margin = 0x1p-20;
 
-  // Distances up to here are final: faces up to the end of the last bucket but one are finalized
-  // (Wavefront_state::postpone()); less a margin for rounding of at most a bucket.
+  // The largest distance known to be final: the end of the last processed bucket, as a face is finalized two buckets after its
+  // largest distance (Wavefront_state::postpone()), less the smaller of the settling margin and one bucket.
   FT settled_distance() const
   {
     const double end = double(m_state.current() - 1) * m_state.bucket_width();
     return FT((std::max)(end * (1 - settling_margin), end - m_state.bucket_width()));
   }
 
-  // Passes faces that have not been handed over to the consumer, up to a settled distance, if it needs them; not if a hidden
-  // vertex is found, and not in an update, which hands over only the faces that it improves.
+  // Passes pending faces to the consumer if it needs them: faces with points up to `settled` that have not been handed over. Does
+  // nothing if such a face has a hidden vertex, nor in an update, which hands over only the faces that it improves.
   template <class Consumer>
   void hand_over_pending(Consumer& consumer, const FT& settled)
   {
-    const std::size_t number = m_state.unfinished.number() + m_passed.faces.size();
-    if (m_is_update || !consumer.needs_pending_faces(settled, number, m_passed.faces)) return;
-    std::vector<Index> faces = m_passed.faces;
+    const std::size_t number = m_state.pending_faces.number() + m_finalized.faces.size();
+    if (m_is_update || !consumer.needs_pending_faces(settled, number, m_finalized.faces)) return;
+    std::vector<Index> faces = m_finalized.faces;
     for (Index f = 0; f < m_mesh.number_of_faces(); ++f)
     {
-      if (m_passing.is_finished(f) || !is_reached(f, settled)) continue;
-      if (m_passing.hides_vertex(f, settled)) return;
+      if (m_finalizer.is_finalized(f) || !is_reached(f, settled)) continue;
+      if (m_finalizer.hides_vertex(f, settled)) return;
       faces.push_back(f);
     }
     auto&& team = m_front.team();
@@ -234,15 +242,15 @@ private:
   const typename Front::Partition m_partition;
   State m_state;
   const Start_values<FT>& m_start_values;
-  const Face_finalizer<FT> m_passing;
+  const Face_finalizer<FT> m_finalizer;
   Ray_spreading<Traits> m_spreading;
-  const std::vector<Index> m_groups; // per primitive: windows of one group may become one
+  const std::vector<Index> m_groups; // per primitive, its group: only windows of one group may be merged
   Front m_front;
-  Passed_faces m_passed; // not yet passed to the consumer
+  Finalized_faces m_finalized; // not yet passed to the consumer
   bool m_is_update = false;
   Index m_first_primitive = 0;
   Source_pacing<FT> m_pacing;
-  std::size_t m_number_of_passed = 0;
+  std::size_t m_number_of_finalized = 0;
 };
 
 } // namespace internal

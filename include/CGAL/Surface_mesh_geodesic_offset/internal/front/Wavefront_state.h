@@ -10,7 +10,7 @@
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/field/Geodesic_field.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/front/Bucket_queue.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/front/Unfinished_faces.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/front/Pending_faces.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/front/Window_output.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window_pruning.h>
 
@@ -85,7 +85,7 @@ public:
                   Geodesic_field<FT>& geodesic_field, const Front_parts& front_parts = Front_parts())
     : mesh(unfolded), maximum(maximum_distance), needs_envelopes(needs_all_envelopes), field(geodesic_field),
       parts(front_parts), vertex_state(mesh.number_of_vertices(), 0), face_state(mesh.number_of_faces(), 0),
-      is_finished(mesh.number_of_faces(), 0), unfinished(needs_envelopes ? mesh.number_of_faces() : 0, parts),
+      is_finalized(mesh.number_of_faces(), 0), pending_faces(needs_envelopes ? mesh.number_of_faces() : 0, parts),
       m_part(parts.number(), Part(bucket_edges(parts) * mesh.mean_edge_length()))
   {
     field.lists = Window_lists<FT>(mesh.number_of_halfedges(), parts);
@@ -222,7 +222,7 @@ public:
   }
 
   // True if an update ties at v, and its image is so near that rays behind v may be hidden, and far nearer than the known one. The
-  // farther image leaves a direction of v that is uncertain by as much as the nearer one does; but that tells the gap behind v, see
+  // directions of v from both images have the same uncertainty, but only the nearer image determines the gap behind v, see
   // hidden_angle(). Binding test: test_field_regressions, tie with a near image.
   bool hides_more(Index v, const Update& a) const
   {
@@ -337,14 +337,14 @@ public:
   }
 
   // Records a face reached by the front for examination when the front may have passed it. Its part must be awake. If the
-  // distances at its corners may be read, they mostly tell when that is.
+  // distances at its corners may be read, they usually give the bucket.
   void schedule(Index f, bool may_read_distances = false)
   {
     if (face_state[f]) return;
-    CGAL_precondition(is_awake(parts.of_face(f)) && !is_finished[f]);
+    CGAL_precondition(is_awake(parts.of_face(f)) && !is_finalized[f]);
     face_state[f] = SCHEDULED;
     Bucket_queue& queue = m_part[parts.of_face(f)].queue;
-    unfinished.add(f, queue.current());
+    pending_faces.add(f, queue.current());
     if (!may_read_distances || !postpone(f)) queue.push_face(queue.current() + 2, f);
   }
 
@@ -406,7 +406,7 @@ public:
   }
 
   // False for a border and for a finalized face.
-  bool takes_windows(Index g) const { return g != no_index && !is_finished[mesh.face(g)]; }
+  bool takes_windows(Index g) const { return g != no_index && !is_finalized[mesh.face(g)]; }
 
   // Accepts the next window unless it is beyond the maximum.
   static BOOST_FORCEINLINE void keep(typename Output::Cursor& output, const FT& maximum)
@@ -461,8 +461,8 @@ public:
   Geodesic_field<FT>& field;
   const Front_parts parts;
   std::vector<char> vertex_state, face_state; // bits
-  std::vector<char> is_finished;              // true for finalized faces; read by all parts
-  Unfinished_faces unfinished;
+  std::vector<char> is_finalized;             // true for finalized faces; read by all parts
+  Pending_faces pending_faces;
 
 private:
   // Largest number of buckets by which a face is postponed, so that the number of buckets stays bounded. A face with a very

@@ -177,7 +177,8 @@ private:
     return m_share * (allowed_at((std::min)(a.d0, b.d1)) - error);
   }
 
-  // True for most pairs that cannot be merged. Of errors of pseudo-sources, which are not in the cache, it knows nothing.
+  // True for most pairs that cannot be merged. It does not read the errors of pseudo-sources, which
+  // are not in the cache.
   bool exceeds_share(const Window& a, const Window& b) const
   {
     const FT error = FT(Merge_error_code::largest_error(a.pseudo_source(), b.pseudo_source()));

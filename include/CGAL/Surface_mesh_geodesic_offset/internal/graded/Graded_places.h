@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Vertices whose distances are far smaller than edges in reach. Windows count from an end of an edge, and all tolerances are
-// relative to edges: such distances lose digits.
+// Vertices whose distances are far smaller than edges within that distance. The coordinates of windows and all tolerances are relative
+// to edges, so such distances lose digits.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_GRADED_GRADED_PLACES_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_GRADED_GRADED_PLACES_H
@@ -20,8 +20,9 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// Edges this many times longer than a distance make it graded. Distances are off by up to some 12 units of rounding of edges in
-// reach (measured): others have relative errors up to 64 * 12 * 2^-53 < 1e-13. Binding test: test_graded_distances, graded vertices.
+// Edges this many times longer than a distance make it graded. The error of a distance is up to some 12 units of rounding of the edges
+// within that distance (measured), so distances that are not graded have relative errors up to 64 * 12 * 2^-53 < 1e-13. Binding test:
+// test_graded_distances, graded vertices.
 constexpr double graded_ratio = 64;
 
 // Part of the longest edge that exceeds the rounding errors of all distances: 2^-42 is 2048 units of rounding, eight times the

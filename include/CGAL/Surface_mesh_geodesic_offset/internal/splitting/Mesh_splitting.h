@@ -127,10 +127,10 @@ public:
     for (const auto& f : m_uncrossed) put_source(f.first, f.second);
   }
 
-  // Writes the band of each face: the number of levels that its points are not nearer than. Regions without curves have that of
-  // the middle of the distances of their vertices, of which the largest may be a level whose curve is a point; so have regions whose
-  // curves contradict each other, as where a strip is a polyline in parts. Without distances of vertices, these regions have the band
-  // by their curves, or the least one.
+  // Writes the band of each face: the number of levels that do not exceed its distances. The band of a region follows from the curves
+  // on its border. If there are none, or they contradict each other, as where the sides of a strip coincide in parts, it follows from
+  // the mean of the smallest and the largest distance of its vertices; the largest may be a level whose curve is a point. Without
+  // distances of vertices, such a region has the band by its curves, or the lowest one.
   template <class FaceBandMap, class Levels, class Distance>
   void write_bands(FaceBandMap band_map, const Levels& levels, const std::optional<Distance>& distance_of)
   {

@@ -201,8 +201,8 @@ private:
     return (std::min)(lead_of_left, lead_of_right) > 2 * length;
   }
 
-  // True if rounding does not tell a closed chain from a point or, in a face, from a line, or it follows edges only, each of them there
-  // and back: a tie along edges.
+  // True if a closed chain is a point or, in a face, a line up to rounding, or follows only edges, each of them in both directions: a tie
+  // along edges.
   static bool has_no_area(const std::vector<Bisector_arc<NT>>& arcs, const std::unordered_map<Index, Face_cells<NT>>& cells)
   {
     std::map<Index, NT> along;
@@ -229,8 +229,8 @@ private:
     return std::all_of(along.begin(), along.end(), [&](const auto& a) { return CGAL::abs(a.second) <= negligible; });
   }
 
-  // Leaves out arcs that rounding does not tell from a point, and joins the parts of one arc. A chain of such arcs that is closed, or
-  // from border to border, is nothing.
+  // Drops arcs that are points up to rounding, and joins the parts of one arc. A chain of such arcs only, closed or from border to
+  // border, is dropped, too.
   static void join(std::vector<Bisector_arc<NT>>&& arcs, Bisector_chain<NT>& chain)
   {
     std::size_t longest = 0;

@@ -161,7 +161,7 @@ public:
         const bool fits =
           bisectors.connect(part.cell, inside, new_node, [&](const Bisector_arc<NT>& a) { m_arcs.push_back(a); });
         const auto holds_along = [&](const Bisector_arc<NT>& a) {
-          return links.holds(a, part.near, bisectors.has_wide_joints());
+          return links.is_verified(a, part.near, bisectors.has_wide_joints());
         };
         const bool holds = fits && (!bisectors.has_loose_joints() || std::all_of(m_arcs.begin(), m_arcs.end(), holds_along));
         const bool may_divide = is_divisible && divisions < Voronoi_tolerances<NT>::most_divisions * m_all.size();

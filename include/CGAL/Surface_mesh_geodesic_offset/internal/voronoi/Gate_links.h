@@ -1,7 +1,9 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Curves from gate to gate of a cell whose bisectors do not fit together.
+// Fallback for a cell (Voronoi_cell.h) in which rounding makes the bisectors inconsistent: connects its gates by arcs, and verifies
+// the arcs by distances. A gate is a point of the border of the cell where the nearest source changes; the label of a part is the
+// nearest source.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_VORONOI_GATE_LINKS_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_VORONOI_GATE_LINKS_H
@@ -23,7 +25,8 @@ namespace internal {
 
 // Where rounding decides which windows are nearest, the intervals of bisectors may contradict each other. The distances
 // themselves do not: from each source, the least path length through a window of the cell is a continuous function. So gates
-// between the same sources are connected by a curve along which these functions agree, and no other one is less.
+// between the same sources are connected by a curve along which the functions of both sources are equal, and no other function is
+// smaller.
 template <class NT>
 class Gate_links
 {
@@ -37,30 +40,31 @@ public:
   {
   }
 
-  // Connects the gates, and passes the curves to out(arc), with new_node() for a point in which several meet. Returns false,
-  // without output, if distances differ on one of them, or if one of the arcs `found` by pairs of windows is beside all of them. A cell
-  // without gates must have the label of its corners at its center, and between that and its corners and sides.
+  // Connects the gates, and passes the arcs to out(arc). new_node(): the number of a new node, where several arcs meet. Returns false,
+  // without output, if two sources do not tie along an arc, or if one of the arcs `found`, bisectors of pairs of windows, coincides
+  // with none of the arcs. A cell without gates must have one nearest source, at its center and at six points around the center.
   template <class New_node, class OutputFunction>
   bool connect(const Voronoi_cell<NT>& cell, const std::vector<unsigned>& candidates,
                const std::vector<Bisector_arc<NT>>& found, const New_node& new_node, const OutputFunction& out)
   {
     m_candidates = &candidates;
     m_arcs.clear();
-    if (cell.gates.empty()) return is_of_one_source(cell) && explain(found);
+    if (cell.gates.empty()) return is_of_one_source(cell) && coincide_with_links(found);
     for (const Pairing pairing : {ACROSS, FROM_FIRST, FROM_SECOND})
     {
       pair_up(cell, pairing);
-      if (!std::all_of(m_arcs.begin(), m_arcs.end(),
-                       [&](Bisector_arc<NT>& a) { return this->set_conic(a) || this->is_bisector(a, m_tolerances.of_link()); }))
+      if (!std::all_of(m_arcs.begin(), m_arcs.end(), [&](Bisector_arc<NT>& a) {
+            return this->make_conic(a) || this->is_bisector(a, m_tolerances.of_link());
+          }))
         continue;
-      if (!explain(found)) continue;
+      if (!coincide_with_links(found)) continue;
       write(new_node, out);
       return true;
     }
     return false;
   }
 
-  // Connects the gates with straight links, whatever the distances.
+  // Connects the gates with straight links, without testing distances.
   template <class New_node, class OutputFunction>
   void connect_straight(const Voronoi_cell<NT>& cell, const New_node& new_node, const OutputFunction& out)
   {
@@ -68,10 +72,10 @@ public:
     write(new_node, out);
   }
 
-  // True if the distances from both sources agree along an arc whose ends have been joined to others, and no other source is nearer.
-  // `is_wide`: to ends farther away than a joint, with no other reason than that they may meet; else, along a side of the face, one of the
-  // sources may be nearest by the windows of the neighbour only.
-  bool holds(const Bisector_arc<NT>& arc, const std::vector<unsigned>& candidates, bool is_wide)
+  // True if the distances from both sources tie along an arc whose ends were moved to a common point with others, and no other source is
+  // nearer. `is_wide`: the ends were farther apart than a joint, and were joined only because they may meet; the tolerance is larger
+  // then. Otherwise an arc along a side of the face counts as true, as windows of the neighbouring face may decide there.
+  bool is_verified(const Bisector_arc<NT>& arc, const std::vector<unsigned>& candidates, bool is_wide)
   {
     m_candidates = &candidates;
     if (is_wide) return is_bisector(arc, m_tolerances.of_wide_joint());
@@ -88,12 +92,11 @@ public:
   }
 
 private:
-  // Gates that are connected: those of different sides, so that several curves run beside each other; or neighbours, from the
-  // first or the second gate on.
+  // Matching of gates as of brackets, in counterclockwise order. ACROSS: only gates of different sides match, so that curves beside each
+  // other stay so. FROM_FIRST, FROM_SECOND: neighbours match, beginning with the first or the second gate.
   enum Pairing { ACROSS, FROM_FIRST, FROM_SECOND };
 
-  // Makes straight links. Gates between the same sources, with no others left between them, form pairs; the others meet in one
-  // point.
+  // Makes straight links: between matched gates, and from all other gates to one common end.
   void pair_up(const Voronoi_cell<NT>& cell, Pairing pairing)
   {
     m_arcs.clear();
@@ -108,7 +111,7 @@ private:
       }
       else open.push_back(&g);
     }
-    std::size_t begin = 0; // also across the first gate
+    std::size_t begin = 0; // the order is cyclic: the last open gates may match the first ones
     while (open.size() >= begin + 2 && open.back()->from == open[begin]->to && open.back()->to == open[begin]->from)
     {
       m_arcs.push_back(link(*open.back(), *open[begin++]));
@@ -123,7 +126,7 @@ private:
     }
   }
 
-  // Where several curves meet: in a gate beside which there are others, as around a corner, or else in the mean of the gates.
+  // The common end of unmatched gates: a gate within a joint of another one, as at a corner of the cell; otherwise the mean of the gates.
   Point common_end(const Voronoi_gate<NT>* const* first, const Voronoi_gate<NT>* const* last) const
   {
     Point sum{0, 0};
@@ -148,9 +151,9 @@ private:
     }
   }
 
-  // Makes a straight arc part of the bisector of the windows that are nearest to its middle. Returns false if there is no such
-  // part.
-  bool set_conic(Bisector_arc<NT>& arc) const
+  // Replaces a straight arc by a part of a conic: of the bisector of the windows of both labels that are nearest at its middle. Returns
+  // false, and leaves the arc, if the conic does not pass through the ends, or is no bisector between them.
+  bool make_conic(Bisector_arc<NT>& arc) const
   {
     const unsigned a = nearest(arc.left.label, arc.middle()).with_label, b = nearest(arc.right.label, arc.middle()).with_label;
     if (a == Nearest_windows<NT>::none || b == Nearest_windows<NT>::none) return false;
@@ -177,8 +180,9 @@ private:
     return result;
   }
 
-  // On a side of the face, one of the sources may be nearest by the windows of the neighbour only. It is at neither end by those
-  // of the face, and both ends are gates between these sources.
+  // True if both sources of an arc tie, and no other one is nearer. On a side of the face, one of both sources may be nearest only by
+  // windows of the neighbouring face; then its distance is not tested. This requires that both ends are gates, and that the source is
+  // nearest at neither end by the windows of this face.
   bool is_bisector(const Bisector_arc<NT>& arc, NT tie) const
   {
     const bool ends_at_gate = arc.end_node != no_index || arc.chord_length() <= m_tolerances.joint;
@@ -202,10 +206,10 @@ private:
     return true;
   }
 
-  // True if each of the arcs found is one of the curves, or one of two arcs with nothing between them, up to rounding: its sources tie from
-  // its middle to the other one, whose sources may be others that tie there, too. Else it belongs to a curve that passes no gate. Binding
-  // test: test_voronoi_diagram, curves without gates.
-  bool explain(const std::vector<Bisector_arc<NT>>& found) const
+  // True if each arc that was found coincides, up to rounding, with a link or with another such arc: its two sources tie on the segment
+  // from its middle to that arc, which may be between other sources that tie there, too. Otherwise the arc is part of a curve that
+  // passes no gate. Binding test: test_voronoi_diagram, curves without gates.
+  bool coincide_with_links(const std::vector<Bisector_arc<NT>>& found) const
   {
     return std::all_of(found.begin(), found.end(), [&](const Bisector_arc<NT>& a) {
       const auto is_same = [&](const Bisector_arc<NT>& b) { return &a != &b && this->tie_between(a, b); };
@@ -214,8 +218,8 @@ private:
     });
   }
 
-  // True if the sources of an arc tie, and no other one is nearer, from its middle to the nearest point of another arc, which is not an end
-  // that the middle is beyond.
+  // True if the sources of arc a tie, and no other one is nearer, from the middle of a to the nearest sample of arc b. False if this
+  // sample is an end of b, and the middle of a is beyond the end.
   bool tie_between(const Bisector_arc<NT>& a, const Bisector_arc<NT>& b) const
   {
     constexpr int samples = Voronoi_tolerances<NT>::samples_of_link;

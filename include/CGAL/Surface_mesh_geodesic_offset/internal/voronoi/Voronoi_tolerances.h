@@ -42,7 +42,7 @@ struct Voronoi_tolerances
   // Ends of arcs no farther apart than this meet: 2^14 u, 3.6e-12 of the magnitude. Arcs that cross at the angle s end with an
   // error of one tie over sin(s), so this allows for angles down to 2^-8; of cells with smaller angles, the smallest divide.
   NT joint;
-  // Where all else fails, ends no farther apart than these multiples meet, as of segments that cross at angles down to 2^-8 over the
+  // Last resort: ends no farther apart than these multiples meet, as of segments that cross at angles down to 2^-8 over the
   // factor: up to the usual one, and in thin faces up to the longest edge over the height. Whether the arcs hold is found from the
   // distances along them. Binding test: test_voronoi_diagram, thin faces.
   static constexpr double joint_factors[] = {1 << 6, 1 << 12, 1 << 18, 1 << 24}, usual_joint_factor = 1 << 12;
@@ -118,10 +118,10 @@ struct Voronoi_tolerances
   static NT tied_turn(NT along_ray, NT width) { return widest_gap() + (along_ray > width ? width / along_ray : NT(0)); }
   // A cell with more windows than this is divided: all pairs of windows in a cell are examined.
   static constexpr unsigned most_windows = 12;
-  // But after this many divisions of a face only to have less windows, for each of its windows, not for this reason any more: many windows
-  // may meet at a vertex.
+  // After this many divisions of a face per window of the face, the number of windows is no reason to divide a cell: many windows may
+  // meet at a vertex.
   static constexpr std::size_t most_divisions_for_windows = 1 << 8;
-  // Nor if so many divisions of a cell, to an eighth of its diameter, have left all its windows.
+  // Likewise after this many successive divisions of a cell, to an eighth of its diameter, that removed no window.
   static constexpr int most_divisions_in_vain = 6;
   // Limit of the other divisions of a face, for each of its windows. A bisector that rounding leaves without its ends costs at most this.
   static constexpr std::size_t most_divisions = 1 << 7;

@@ -91,7 +91,8 @@ inline const FT& lesser(const FT& a, const FT& b)
   return certainly_less(b, a) ? b : a;
 }
 
-// Smallest distance on the interval [b0, b1] of a window: `at_foot` if the foot x of its image is inside; a lower bound if undecided. The choice is a load for floating-point numbers, as a branch would be unpredictable.
+// Smallest distance on the interval [b0, b1] of a window: `at_foot` if the foot x of its image is inside; a lower bound if
+// undecided. The choice is a load for floating-point numbers, as a branch would be unpredictable.
 template <class FT>
 inline FT minimum(bool is_parallel, const FT& b0, const FT& b1, const FT& x, const FT& at_foot, const FT& d0, const FT& d1)
 {

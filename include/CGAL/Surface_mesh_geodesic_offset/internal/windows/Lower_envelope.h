@@ -3,7 +3,8 @@
 //
 // The lower envelope of the windows of one halfedge. One sweep over the windows, ordered by their intervals, merges consecutive
 // windows with the same image, and cuts overlapping windows at their bisectors. The image of a window is its source point in
-// the frame of the halfedge, or the direction of its parallel rays. A strip is a window of parallel rays from a source segment.
+// the frame of the halfedge, or the direction of its parallel rays. A strip is a window of parallel rays from a source segment. A
+// window is propagated if its children exist; it keeps its extent, and a part that is added to it is a new window.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOWS_LOWER_ENVELOPE_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOWS_LOWER_ENVELOPE_H
@@ -37,7 +38,7 @@ public:
   typedef typename Traits::FT FT;
   typedef CGAL::Geodesic_offset::internal::Window<FT> Window;
 
-  // An end vertex of the halfedge: its distance, negative if unknown, and the source of the distance.
+  // An end vertex of the halfedge: its distance, negative if unknown, and the source primitive of this distance.
   struct End
   {
     FT distance = FT(-1);
@@ -50,15 +51,17 @@ public:
   {
   }
 
-  // Returns the lower envelope of the windows [first, last) and [more, more_last), in any order, on a halfedge of the given
-  // length. It is sorted and disjoint, and valid until the next call. If a comparison of distances is undecided, as with exact
-  // numbers (Interval_filter), both windows keep the part in question, and consecutive windows overlap there.
+  // Returns the lower envelope of the windows in the ranges [first, last) and [more, more_last), which need not be sorted, on a
+  // halfedge of the given length. It is sorted and disjoint, and valid until the next call. If a
+  // comparison of distances is undecided, as with exact numbers (Interval_filter), both windows keep the part in question, and
+  // consecutive windows overlap there.
   //
   // Rounding may leave narrow gaps between windows. A gap is closed if the distances beside it agree and are less than
-  // `passed`, the distance that the front has passed. Otherwise, a window that fills the gap may still arrive.
+  // `passed`, the distance that the front has passed: up to it all windows have arrived. Beyond it, a window that fills the gap may
+  // still arrive.
   const Inline_sequence<Window>& operator()(
     const Window* first, const Window* last, const FT& length, const Window* more = nullptr, const Window* more_last = nullptr,
-    const End& source = End(), const End& target = End(), const FT& passed = Number_policy<FT>::infinity())
+    const End& at_begin = End(), const End& at_end = End(), const FT& passed = Number_policy<FT>::infinity())
   {
     m_envelope.clear();
     m_occupants.clear();
@@ -73,7 +76,7 @@ public:
     m_wide = (std::max)(m_min_width, m_widest_gap);
     m_rounding = Number_policy<FT>::rounding(1);
     m_gap_rounding = Number_policy<FT>::rounding(256); // as in pruning_allowance(), so that gaps left by pruning are closed
-    m_margin = Number_policy<FT>::rounding(roundings_of_margin);
+    m_certain_difference = Number_policy<FT>::rounding(roundings_of_certain_difference);
     m_order.start(first, last, more, more_last);
     const Window* const* i = m_order.begin();
     const Window* const* const end = m_order.end();
@@ -93,7 +96,7 @@ public:
     if constexpr (Number_policy<FT>::is_inexact)
     {
       close_occupied_gaps();
-      close_gaps_at_ends(source, target);
+      close_gaps_at_ends(at_begin, at_end);
     }
     CGAL_postcondition(are_in_order(m_envelope.data(), m_envelope.data() + m_envelope.size(), length));
     CGAL_expensive_postcondition(have_consistent_distances(m_envelope.data(), m_envelope.data() + m_envelope.size()));
@@ -108,7 +111,7 @@ public:
   bool has_closed_gaps() const { return m_has_closed_gaps; }
 
   // True for a monotone list: no window begins or ends before its predecessor, no two consecutive windows can merge, and no gap
-  // has to be closed. Such a list rarely shrinks much by a reduction. The caller may keep it as it is: windows that are not
+  // has to be closed. Its lower envelope is rarely much shorter. The caller may keep it as it is: windows that are not
   // nearest change no distance.
   static bool is_monotone_list(const Window* first, const Window* last, const FT& length)
   {
@@ -149,7 +152,7 @@ private:
 
   // Least difference of two distances that is not due to rounding, in units of rounding of the distance: more than the error of
   // two distances, and less than the surcharge on rays beside a sector, Vertex_sector::margin_surcharge().
-  static constexpr double roundings_of_margin = 16;
+  static constexpr double roundings_of_certain_difference = 16;
 
   // Largest difference of the directions, unit vectors, of two windows of one strip: 2^-33, far above their rounding.
   static constexpr double strip_turn = 1. / (1ull << 33);
@@ -159,7 +162,7 @@ private:
   static constexpr double short_edge = 1. / (1 << 24);
 
   // Largest gap to be closed between windows of different images: 2^-8 of the length of the halfedge. On a short edge, as
-  // across a narrow row of faces, it may be the whole edge.
+  // between the sides of a narrow strip of faces, it may be the whole edge.
   static FT widest_gap(const Window& w, const FT& length)
   {
     const FT by_distance = (std::min)(length, FT(short_edge) * w.d0);
@@ -171,8 +174,8 @@ private:
     if (!have_same_kind(a, b)) return false;
     if constexpr (!Number_policy<FT>::is_inexact) return have_one_source(a, b) && same_distances(a, b);
     const FT rounding = Number_policy<FT>::rounding(64); // well below pruning_allowance()
-    // The image of parallel rays is a unit vector. The sigma of point rays is the distance of a vertex, equal in all its
-    // windows, and larger in margins of its sectors.
+    // The image of parallel rays is a unit vector. The sigma of point rays is the distance of a vertex, equal in all
+    // windows of that vertex, and larger by Vertex_sector::margin_surcharge() in windows of its margins.
     const FT allowance = rounding * (a.d0 + b.d1 + (a.is_parallel() ? b.b1 : FT(CGAL::abs(a.x) + CGAL::abs(a.y))));
     const FT& of_image = a.is_parallel() ? rounding : allowance;
     if (!(CGAL::abs(a.x - b.x) <= of_image)) return false; // the usual case
@@ -290,15 +293,16 @@ private:
     append(part(w, b0, d0, w.b1, w.d1));
   }
 
-  // Handles occupants: narrow windows in a gap between the windows a and w beside them. An occupant is impossible as a shortest
-  // path: at each of its ends, its distance exceeds that of the adjacent window by more than the length between them along the
-  // halfedge. (The narrow window of a corner between two strips exceeds neither.) An occupant is removed if the gap is as
-  // narrow as rounding, and replaced by an extension of a or w if this closes the gap.
+  // Handles occupants: narrow windows in a gap between two windows a and w, through which no shortest path leads. At each end of an
+  // occupant, its distance exceeds that of the adjacent window by more than the length between them along the halfedge. (The
+  // narrow window of a corner between two strips is no occupant: its distances are not that much larger.) An occupant is removed
+  // if the gap is as narrow as rounding, and replaced by an extension of a or w if this closes the gap.
   void close_occupied_gaps()
   {
     std::size_t removed = 0;
     for (const std::size_t place : m_occupants)
-      for (std::size_t i = place - removed; i > 0 && i + 1 < m_envelope.size();) // then the next window may be an occupant
+      for (std::size_t i = place - removed;
+           i > 0 && i + 1 < m_envelope.size();) // i stays after an erase: the next window may be an occupant, too
       {
         const Window &a = m_envelope[i - 1], &m = m_envelope[i], &w = m_envelope[i + 1];
         if (!(w.b0 - a.b1 < m_widest_gap) || !is_farther_at_begin(a, m, m_length) || !is_farther_at_end(m, w)) break;
@@ -321,23 +325,23 @@ private:
 
   static bool is_farther_at_begin(const Window& a, const Window& m, const FT& length)
   {
-    return m.d0 - a.d1 > m.b0 - a.b1 + Number_policy<FT>::rounding(roundings_of_margin) * (m.d0 + length);
+    return m.d0 - a.d1 > m.b0 - a.b1 + Number_policy<FT>::rounding(roundings_of_certain_difference) * (m.d0 + length);
   }
 
   bool is_farther_at_end(const Window& m, const Window& w) const
   {
-    return m.d1 - w.d0 > w.b0 - m.b1 + m_margin * (m.d0 + m_length);
+    return m.d1 - w.d0 > w.b0 - m.b1 + m_certain_difference * (m.d0 + m_length);
   }
 
-  // Closes the gaps between the first and last windows and the ends of the halfedge.
-  void close_gaps_at_ends(const End& source, const End& target)
+  // Closes the gaps from the begin of the halfedge to the first window, and from the last window to the end.
+  void close_gaps_at_ends(const End& at_begin, const End& at_end)
   {
     if (m_envelope.empty()) return;
     FT d;
     const Window& last = m_envelope.back();
-    if (may_fill_to_end(last, m_length - last.b1, m_length, target, d)) extend_last(m_length, d);
+    if (may_fill_to_end(last, m_length - last.b1, m_length, at_end, d)) extend_last(m_length, d);
     Window& first = m_envelope.front();
-    if (!may_fill_to_end(first, first.b0, FT(0), source, d)) return;
+    if (!may_fill_to_end(first, first.b0, FT(0), at_begin, d)) return;
     m_has_closed_gaps = true;
     if (first.is_propagated())
     {
@@ -359,9 +363,9 @@ private:
   }
 
   // True if a window may be extended over a gap. `d`: the least distance in the gap; `size`: magnitude of the distances, for
-  // their rounding. An extension of parallel rays has no foot on the source segment: its foot is beyond the end by g, and its
-  // distances are too small by g^2 / (2 l), with the length l of the rays, which must be within rounding. Binding test:
-  // test_degenerate_sources, gap between sources with start values.
+  // their rounding. Rays of a strip that is extended over a gap start on the line of the source segment, beyond its end by
+  // g = -w.y gap. Their distances are too small by g^2 / (2 l), with the length l of the rays, which must be within rounding. Binding
+  // test: test_degenerate_sources, gap between sources with start values.
   bool may_fill(const Window& w, const FT& gap, const FT& d, const FT& size) const
   {
     if (!w.is_parallel()) return true;
@@ -369,7 +373,7 @@ private:
     return beyond * beyond <= FT(2) * m_gap_rounding * size * length_of_path(w, d);
   }
 
-  // Of a path from the source of a window, by its distance, which includes the start value.
+  // Length of the path from the source of window w with the distance d: without the start value.
   FT length_of_path(const Window& w, const FT& d) const
   {
     return m_start_values ? FT(d - m_start_values->of(w.source_ref)) : d;
@@ -378,13 +382,13 @@ private:
   struct Gap
   {
     enum Neighbour { NONE, FIRST, SECOND } filled_by;
-    FT distance; // of this window, at the far end of the gap
+    FT distance; // of the window that fills the gap, at the other end of the gap
   };
 
-  // Finds the window that fills the gap between a and w: an extension to the far end of the gap agrees up to rounding with the
-  // distance of the other window there. Such a gap results from rounding of a bounding ray, or from a narrow window that was
-  // dropped. A gap left open behind an image near the edge would widen with the distance. The true paths in the gap bend by
-  // less than the square root of the relative rounding error of their length.
+  // Finds the window that fills the gap between a and w: an extension to the other end of the gap agrees up to rounding with the
+  // distance of the other window there. Such a gap results from the rounding of a bounding ray, or from a narrow window that was
+  // dropped. An open gap widens with the distance from its image. The shortest paths to points in the gap bend at a vertex, by an
+  // angle of at most the square root of the relative rounding error of their length.
   Gap gap_between(const Window& a, const Window& w)
   {
     const FT size = a.d1 + w.d0 + m_length, allowance = m_gap_rounding * size, gap = w.b0 - a.b1;
@@ -430,8 +434,8 @@ private:
     // computations.
     if (overlap <= m_min_width && a_ends_first)
     {
-      // Rays in the margin of a sector have a surcharge, so the other window keeps the overlap.
-      if (BOOST_UNLIKELY(CGAL::is_positive(overlap) && w.d0 - a.d1 > m_margin * a.d1))
+      // The distance of a ray in the margin of a sector has a surcharge, so the other window keeps the overlap.
+      if (BOOST_UNLIKELY(CGAL::is_positive(overlap) && w.d0 - a.d1 > m_certain_difference * a.d1))
       {
         begin_behind(w, a.b1, next, end);
         return true;
@@ -440,37 +444,37 @@ private:
       m_envelope.push_back(w);
       return true;
     }
-    const Bisector_crossing<Traits> tie(m_traits, a, w);
+    const Bisector_crossing<Traits> crossing(m_traits, a, w);
     const FT low = w.b0, high = a_ends_first ? a.b1 : w.b1;
     FT t;
-    if (tie.has_straight_bisector(t))
+    if (crossing.has_straight_bisector(t))
     {
-      if (t > low && t < high) return a_ends_first && share_at(a, w, t, tie.at(a, t), next, end);
-      if (t <= low) return a_ends_first && begin_at(w, tie.at(a, low));
+      if (t > low && t < high) return a_ends_first && cut_at(a, w, t, crossing.at(a, t), next, end);
+      if (t <= low) return a_ends_first && begin_at(w, crossing.at(a, low));
       if (t >= high)
       {
-        if (a_ends_first && w.b1 - high > m_min_width) append_rest(w, high, tie.at(w, high), next, end);
+        if (a_ends_first && w.b1 - high > m_min_width) append_rest(w, high, crossing.at(w, high), next, end);
         return true;
       }
       return false; // t is NaN
     }
     FT a_low, a_high = a.d1, w_high = w.d1;
-    if (BOOST_LIKELY(a_ends_first)) tie.at(low, high, a_low, w_high);
+    if (BOOST_LIKELY(a_ends_first)) crossing.at(low, high, a_low, w_high);
     else
     {
-      a_low = tie.at(a, low);
-      a_high = tie.at(a, high);
+      a_low = crossing.at(a, low);
+      a_high = crossing.at(a, high);
     }
-    const Comparison_result at_low = tie.compare(a_low, w.d0), at_high = tie.compare(w_high, a_high);
+    const Comparison_result at_low = crossing.compare(a_low, w.d0), at_high = crossing.compare(w_high, a_high);
     if (at_low == SMALLER && at_high == SMALLER)
     { // one bisector
       if (!a_ends_first) return false;
-      const auto place = tie.find(low, a_low - w.d0, high, a_high - w_high);
-      return share_at(a, w, place.t, place.d, next, end);
+      const auto place = crossing.find(low, a_low - w.d0, high, a_high - w_high);
+      return cut_at(a, w, place.t, place.d, next, end);
     }
-    if (at_low == LARGER && at_high == SMALLER && a_ends_first && !tie.may_tie_twice(low, high))
+    if (at_low == LARGER && at_high == SMALLER && a_ends_first && !crossing.may_cross_twice(low, high))
       return begin_at(w, a_low); // the last window of the envelope is farther
-    if (at_low == SMALLER && at_high == LARGER && !tie.may_tie_twice(low, high))
+    if (at_low == SMALLER && at_high == LARGER && !crossing.may_cross_twice(low, high))
     { // the last window of the envelope is nearer
       if (a_ends_first && w.b1 - high > m_min_width) append_rest(w, high, w_high, next, end);
       return true;
@@ -479,8 +483,8 @@ private:
   }
 
   // Cuts the last window of the envelope at t, and appends w from t on. Returns false without a change if either is too narrow.
-  BOOST_FORCEINLINE bool share_at(Window& a, const Window& w, const FT& t, const FT& d, const Window* const* next,
-                                  const Window* const* end)
+  BOOST_FORCEINLINE bool cut_at(Window& a, const Window& w, const FT& t, const FT& d, const Window* const* next,
+                                const Window* const* end)
   {
     if (!check_width(a, t) || !(w.b1 - t > m_min_width)) return false;
     a.b1 = t;
@@ -563,26 +567,26 @@ private:
   void resolve(const Window& last, const Window& w)
   {
     const Window a = last;
-    const Window_bisector<Traits> ties(m_traits, a, w);
-    const int n = ties.number();
-    bool a_owns = ties.first_is_nearer();
+    const Window_bisector<Traits> bisector(m_traits, a, w);
+    const int n = bisector.number();
+    bool a_owns = bisector.first_is_nearer();
     for (int i = 0; i <= n; ++i, a_owns = !a_owns)
     {
       const Window& owner = a_owns ? a : w;
-      const FT& from = i == 0 ? ties.low() : ties[i - 1];
-      const FT& d_from = i == 0 ? ties.distance_at_low(a_owns) : ties.distance(i - 1);
-      const FT& to = i == n ? owner.b1 : ties[i];
-      const FT& d_to = i == n ? owner.d1 : ties.distance(i);
+      const FT& from = i == 0 ? bisector.low() : bisector[i - 1];
+      const FT& d_from = i == 0 ? bisector.distance_at_low(a_owns) : bisector.distance(i - 1);
+      const FT& to = i == n ? owner.b1 : bisector[i];
+      const FT& d_to = i == n ? owner.d1 : bisector.distance(i);
       if (i > 0) keep_later(owner, from, d_from, to, d_to);
       else if (a_owns) cut_back(to, d_to);
       else
       {
-        cut_back(ties.low(), ties.distance_at_low(true));
+        cut_back(bisector.low(), bisector.distance_at_low(true));
         if (to - from > m_min_width) append(part(w, from, d_from, to, d_to));
       }
     }
     const Window& other = a_owns ? a : w; // a_owns was toggled once more
-    keep_later(other, ties.high(), ties.distance_at_high(a_owns), other.b1, other.d1);
+    keep_later(other, bisector.high(), bisector.distance_at_high(a_owns), other.b1, other.d1);
   }
 
   // Variant of resolve() for estimated distances: each window keeps all parts except those where the other is certainly
@@ -595,20 +599,20 @@ private:
       keep_later(w, a.b1, w.distance_at(a.b1), w.b1, w.d1);
       return;
     }
-    const Certain_overlap_split<FT> shares(a, w, m_length);
-    if (shares.is_open())
+    const Certain_overlap_split<FT> split(a, w, m_length);
+    if (split.is_open())
     {
       m_envelope.push_back(w);
       return;
     }
     m_envelope.pop_back();
     bool is_first = true;
-    shares.for_each_part_of_first([&](const Window& p) {
+    split.for_each_part_of_first([&](const Window& p) {
       if (is_first && p.b0 == a.b0) m_envelope.push_back(p);
       else m_order.push_later(p);
       is_first = false;
     });
-    shares.for_each_part_of_second([&](const Window& p) { m_order.push_later(p); });
+    split.for_each_part_of_second([&](const Window& p) { m_order.push_later(p); });
   }
 
   // Shortens the last window of the envelope to end at t, with distance d; removes it if nothing remains.
@@ -659,8 +663,8 @@ private:
   Inline_sequence<Window> m_envelope;
   Window_order<FT, Window> m_order;
   std::vector<std::size_t> m_occupants; // places in the envelope, in order, of windows that may occupy a gap
-  FT m_length, m_min_width, m_max_gap, m_least_overlap, m_widest_gap, m_wide, m_rounding, m_gap_rounding, m_margin, m_passed,
-    m_nearest_gap;
+  FT m_length, m_min_width, m_max_gap, m_least_overlap, m_widest_gap, m_wide, m_rounding, m_gap_rounding, m_certain_difference,
+    m_passed, m_nearest_gap;
   bool m_has_closed_gaps = false;
 };
 

@@ -94,7 +94,7 @@ public:
   }
 
   // True if the collinear point lies between u and v; only then may equal signs at u and v enclose two bisector points.
-  bool may_tie_twice(const FT& u, const FT& v) const
+  bool may_cross_twice(const FT& u, const FT& v) const
   {
     FT c;
     return collinear_point(c) && u < c && c < v;

@@ -4,8 +4,8 @@
 // The bucket in which the front reached each pending face. Every face with a point nearer than the oldest of these buckets is
 // finalized.
 
-#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_UNFINISHED_FACES_H
-#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_UNFINISHED_FACES_H
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_PENDING_FACES_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_PENDING_FACES_H
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
@@ -23,11 +23,11 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-class Unfinished_faces
+class Pending_faces
 {
 public:
   // Zero faces: no query will follow.
-  Unfinished_faces(std::size_t number_of_faces, const Front_parts& parts)
+  Pending_faces(std::size_t number_of_faces, const Front_parts& parts)
     : m_parts(parts), m_reached_in(number_of_faces, 0), m_counts(parts.number())
   {
   }
