@@ -214,6 +214,13 @@ void run(const std::string& name, const Soup& soup, Worst_error& worst)
   const CGAL::Face_filtered_graph<Mesh> filtered(of_two_parts, 0, part);
   compare(name + ", Face_filtered_graph", filtered, soup, expected, worst, none);
 
+  Mesh of_seams = data.mesh; // without seams; seams() has a mesh with them
+  const auto is_seam_edge = of_seams.add_property_map<Edge_index, bool>("e:seam", false).first;
+  const auto is_seam_vertex = of_seams.add_property_map<Vertex_index, bool>("v:seam", false).first;
+  const CGAL::Seam_mesh<Mesh, Mesh::Property_map<Edge_index, bool>, Mesh::Property_map<Vertex_index, bool>> seam_mesh(
+    of_seams, is_seam_edge, is_seam_vertex);
+  compare(name + ", Seam_mesh", seam_mesh, soup, expected, worst, none);
+
   const mesh_archetype::Mesh archetype(soup);
   compare(name + ", archetype", archetype, soup, expected, worst,
           CGAL::parameters::vertex_point_map(points_of(archetype))
