@@ -153,9 +153,10 @@ private:
   {
     std::size_t size = m_ring.size();
     while (size <= i) size *= 2;
-    std::rotate(m_ring.begin(), m_ring.begin() + std::ptrdiff_t(m_begin), m_ring.end());
+    std::vector<Bucket> ring(size);
+    for (std::size_t k = 0; k < m_ring.size(); ++k) ring[k] = std::move(m_ring[(m_begin + k) & m_mask]);
     m_begin = 0;
-    m_ring.resize(size);
+    m_ring.swap(ring);
     m_mask = size - 1;
     CGAL_postcondition(i < size && (size & (size - 1)) == 0);
   }

@@ -41,7 +41,7 @@ public:
     Counts& counts = m_counts[m_parts.of_face(f)];
     if (counts.numbers.empty()) counts.first = b;
     CGAL_precondition(b >= counts.first);
-    if (b >= counts.first + counts.numbers.size()) counts.numbers.resize(b - counts.first + 1, 0);
+    while (b >= counts.first + counts.numbers.size()) counts.numbers.push_back(0);
     ++counts.numbers[b - counts.first];
     ++counts.sum;
     m_reached_in[f] = b;
