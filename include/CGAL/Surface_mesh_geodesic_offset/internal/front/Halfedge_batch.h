@@ -61,10 +61,9 @@ public:
     CGAL_precondition(list.processed <= list.size);
     // The first windows of the list are the processed ones; a flag marks them for the envelope, which has another order.
     for (Window* w = list.data; w != list.data + list.processed; ++w) w->set_propagated();
-    // With merging, gaps are closed at once: this gives fewer windows, and its errors are far below those of merging.
     const Inline_sequence<Window>& envelope =
       m_envelope(list.begin(), list.end(), m_mesh[h].length, list.waiting.begin(), list.waiting.end(), end_at(m_mesh.source(h)),
-                 end_at(m_mesh.target(h)), m_merging.is_on() ? Number_policy<FT>::infinity() : m_state.passed());
+                 end_at(m_mesh.target(h)), m_state.passed());
     m_nearest_gap = m_envelope.nearest_gap();
     // Propagated windows cannot be merged, and they are most of the lists of second batches.
     if (list.processed == 0 && m_merging.pays_for(h, envelope.size()))

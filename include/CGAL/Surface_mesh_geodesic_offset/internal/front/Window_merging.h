@@ -227,7 +227,7 @@ private:
     m.d0 = a.d0;
     m.b1 = b.b1;
     m.d1 = b.d1;
-    if (passes(m, !is_like_b, unit) && passes(m, is_like_b, unit) && accept(a, b, unit, m)) return true;
+    if (passes(m, !is_like_b, unit) && passes(m, is_like_b, unit) && accept(a, b, unit, false, m)) return true;
     const FT l = m.b1 - m.b0, rise = m.d1 - m.d0, n = (l - rise) * (l + rise), c = rise / l;
     // The error of rays is the rounding of the distances over the width of the run across them. If it is a large part of the
     // width, as in needles, the image is noise.
@@ -237,11 +237,12 @@ private:
     // As in exceeds(), with r0.
     const FT q = b.b0 - a.b0, k = height_at_joint(a, b) - c * q;
     if (n * q * (l - q) > (most - k) * (2 * l * l * (r0 + c * q))) return false;
-    return place_image(n, c, r0, m) && passes(m, false, unit) && passes(m, true, unit) && accept(a, b, unit, m);
+    return place_image(n, c, r0, m) && passes(m, false, unit) && passes(m, true, unit) && accept(a, b, unit, true, m);
   }
 
-  // Tests the conditions with the image of m, and sets its origin.
-  bool accept(const Window& a, const Window& b, const FT& unit, Window& m) const
+  // Tests the conditions with the image of m, and sets its origin. The origin of a new image is a code of its error, even if that is
+  // zero: Kept_windows takes sigma from the pseudo-source otherwise. Binding test: test_bounded_error, kept windows of new images.
+  bool accept(const Window& a, const Window& b, const FT& unit, bool has_new_image, Window& m) const
   {
     if (!encloses(a, b, m)) return false;
     const FT rounding = unit + Number_policy<FT>::rounding(16) * CGAL::abs(m.sigma);
@@ -254,7 +255,7 @@ private:
     const FT before = FT((std::max)(error_of_origin(a.pseudo_source()), error_of_origin(b.pseudo_source())));
     if (added > share(a, b, before)) return false;
     const bool is_rounding = 4 * added <= rounding;
-    if (is_rounding && a.pseudo_source() == b.pseudo_source())
+    if (is_rounding && !has_new_image && a.pseudo_source() == b.pseudo_source())
     {
       m.bits = Window::make_bits(m.is_parallel(), a.pseudo_source());
       return true;
