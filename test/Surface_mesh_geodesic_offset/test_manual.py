@@ -3,7 +3,7 @@
 """Builds the manual and checks it: test_manual.py DOXYFILE SOURCE_DIR
 
 - Doxygen has no warnings.
-- Each public entity has a brief description, and no public declaration has an internal type or a nameless template parameter.
+- Each public entity has a brief description, each value of an enumeration a description, and no public declaration has an internal type or a nameless template parameter.
 - Each function outside classes says which header declares it.
 - The pages that a newcomer looks for exist, and each local link and picture has a target.
 - Doxyfile.in, the form for the documentation of CGAL, works with the settings of the package alone in place of CGAL's.
@@ -75,6 +75,9 @@ def check_declarations(directory):
                 arguments = text_of(member.find("argsstring"))
                 full_name = "%s::%s%s" % (compound_name, text_of(member.find("name")), arguments)
                 check(text_of(member.find("briefdescription")), full_name + " has no brief description")
+                for value in member.iterfind("enumvalue"):
+                    check(text_of(value.find("briefdescription")) or text_of(value.find("detaileddescription")),
+                          "%s::%s has no description" % (full_name, text_of(value.find("name"))))
                 parameters = text_of(member.find("templateparamlist"))
                 declaration = " ".join((parameters, text_of(member.find("type")), arguments))
                 check("internal" not in declaration, "%s has an internal type: %s" % (full_name, declaration))
