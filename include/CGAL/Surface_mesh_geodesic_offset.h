@@ -16,7 +16,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/graded/Graded_distances.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Offset_cutting.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Source_classification.h>
-#include <CGAL/Surface_mesh_geodesic_offset/named_parameters.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/parameters/named_parameters.h>
 
 #include <cstddef>
 #include <iterator>

@@ -1,10 +1,12 @@
 # Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The layout of the headers: no cycle of includes between folders, no protected members, include guards named after files.
+"""The layout of the headers: no cycle of includes between modules, no protected members, include guards named after files.
 
     test_layout.py INCLUDE_FOLDER
 
-Files beside the folders of internal/ form one folder, the top of the pipeline.
+Each public header is a module, as programs include it alone. Each folder of internal/, IO/internal/, and the files beside the
+folders of internal/ are a module each. So an internal header may include a public one, for example of a type of results, if
+that header needs nothing of the folder of the internal header.
 """
 
 import os
@@ -14,7 +16,7 @@ import sys
 PACKAGE = "CGAL/Surface_mesh_geodesic_offset"
 INTERNAL = PACKAGE + "/internal/"
 INCLUDE = re.compile(r"^ *# *include *[<\"](%s[^>\"]*)[>\"]" % PACKAGE, re.MULTILINE)
-NO_GUARD = {INTERNAL + "parameters_interface.h"}  # included once per list
+NO_GUARD = {INTERNAL + "parameters/parameters_interface.h"}  # included once per list
 
 
 def headers(root):
@@ -24,31 +26,29 @@ def headers(root):
     return {name: open(os.path.join(root, name), encoding="utf-8").read() for name in sorted(names)}
 
 
-def folder_of(name):
-    if not name.startswith(INTERNAL):
-        return None
-    parts = name[len(INTERNAL):].split("/")
-    return parts[0] if len(parts) > 1 else "."
+def module_of(name):
+    """The folder of an internal header, the name of a public one."""
+    return os.path.dirname(name) if "/internal/" in name else name
 
 
 def cycle(graph):
-    """Folders of a cycle in the order of their includes; empty if there is none."""
+    """Modules of a cycle in the order of their includes; empty if there is none."""
     done = set()
 
-    def search(folder, path):
-        if folder in path:
-            return path[path.index(folder):] + [folder]
-        if folder in done:
+    def search(module, path):
+        if module in path:
+            return path[path.index(module):] + [module]
+        if module in done:
             return []
-        for other in sorted(graph.get(folder, {})):
-            found = search(other, path + [folder])
+        for other in sorted(graph.get(module, {})):
+            found = search(other, path + [module])
             if found:
                 return found
-        done.add(folder)
+        done.add(module)
         return []
 
-    for folder in sorted(graph):
-        found = search(folder, [])
+    for module in sorted(graph):
+        found = search(module, [])
         if found:
             return found
     return []
@@ -61,12 +61,12 @@ def errors_of(texts):
         for included in INCLUDE.findall(text):
             if included not in texts:
                 errors.append("%s includes %s, which does not exist" % (name, included))
-            a, b = folder_of(name), folder_of(included)
-            if a and b and a != b:
+            a, b = module_of(name), module_of(included)
+            if a != b:
                 graph.setdefault(a, {}).setdefault(b, "%s includes %s" % (name, included))
     found = cycle(graph)
     if found:
-        errors.append("a cycle of folders: " + "; ".join(graph[a][b] for a, b in zip(found, found[1:])))
+        errors.append("a cycle of modules: " + "; ".join(graph[a][b] for a, b in zip(found, found[1:])))
     for name, text in texts.items():
         if re.search(r"^ *protected *:", text, re.MULTILINE):
             errors.append(name + " has protected members")
@@ -81,6 +81,10 @@ def check_checks(texts):
     """Each kind of error is found in headers that have it."""
     first, second = INTERNAL + "mesh/Unfolded_mesh.h", INTERNAL + "windows/Window.h"
     for name, text in ((first, texts[first] + "#include <%s>\n" % second.replace("Window.h", "Lower_envelope.h")),
+                       (first, texts[first] + "#include <%s/Geodesic_mesh.h>\n" % PACKAGE),
+                       (PACKAGE + "/Offset_side.h", "#include <%s/Offset_piece.h>\n" % PACKAGE + texts[PACKAGE + "/Offset_side.h"]),
+                       (PACKAGE + "/IO/internal/curve_line.h",
+                        texts[PACKAGE + "/IO/internal/curve_line.h"] + "#include <%s/IO/write_vtk.h>\n" % PACKAGE),
                        (second, texts[second] + "protected:\n"), (second, texts[second].replace("_H\n", "_HH\n")),
                        (first, texts[first] + "#include <%s>\n" % second.replace("Window.h", "Nothing.h"))):
         assert errors_of(dict(texts, **{name: text})), "an error in %s was not found" % name

@@ -15,7 +15,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Polyline_joining.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Plane_cutting.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/workers/Concurrency.h>
-#include <CGAL/Surface_mesh_geodesic_offset/named_parameters.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/parameters/named_parameters.h>
 
 #include <CGAL/Default.h>
 #include <CGAL/Polygon_mesh_processing/border.h>

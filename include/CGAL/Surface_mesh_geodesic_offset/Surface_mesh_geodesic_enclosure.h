@@ -15,7 +15,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_query.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Offset_certification.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Source_classification.h>
-#include <CGAL/Surface_mesh_geodesic_offset/named_parameters.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/parameters/named_parameters.h>
 
 #include <cstddef>
 #include <memory>

@@ -6,11 +6,11 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/One_call.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/functions/One_call.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Near_path.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_output.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_tracing.h>
-#include <CGAL/Surface_mesh_geodesic_offset/named_parameters.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/parameters/named_parameters.h>
 
 #include <type_traits>
 #include <utility>

@@ -17,7 +17,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/IO/write_svg.h>
 #include <CGAL/Surface_mesh_geodesic_offset/IO/write_vtk.h>
 #include <CGAL/Surface_mesh_geodesic_offset/IO/write_vtp.h>
-#include <CGAL/Surface_mesh_geodesic_offset/named_parameters.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/parameters/named_parameters.h>
 
 #include <cmath>
 #include <cstddef>
