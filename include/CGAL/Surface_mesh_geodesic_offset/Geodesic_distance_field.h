@@ -14,11 +14,13 @@
 #include <CGAL/Surface_mesh_geodesic_offset/Offset_levels.h>
 #include <CGAL/Surface_mesh_geodesic_offset/Offset_side.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Geodesic_build.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/Vertex_results.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/vertex_results.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/field/Farthest_point.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Offset_cutting.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/cut_offset_curves.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Near_path.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_output.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_elements.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_points.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_visits.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_tracing.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/parameters/named_parameters.h>
 

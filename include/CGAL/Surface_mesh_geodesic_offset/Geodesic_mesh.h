@@ -10,8 +10,8 @@
 #include <CGAL/Surface_mesh_geodesic_offset/Geodesic_source_set.h>
 #include <CGAL/Surface_mesh_geodesic_offset/Surface_mesh_geodesic_offset_traits.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Geodesic_mesh_data.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Normal_angle.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Own_maps.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/normal_angle.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/own_maps.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Polyline_joining.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Plane_cutting.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/workers/Concurrency.h>

@@ -8,7 +8,7 @@
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/functions/One_call.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Near_path.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_output.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_elements.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_tracing.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/parameters/named_parameters.h>
 

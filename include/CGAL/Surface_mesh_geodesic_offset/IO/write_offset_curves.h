@@ -9,7 +9,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/IO/Length_unit.h>
 #include <CGAL/Surface_mesh_geodesic_offset/IO/Offset_file_format.h>
 #include <CGAL/Surface_mesh_geodesic_offset/IO/internal/discretized_curves.h>
-#include <CGAL/Surface_mesh_geodesic_offset/IO/internal/plane_of_curves.h>
+#include <CGAL/Surface_mesh_geodesic_offset/IO/internal/Plane_of_curves.h>
 #include <CGAL/Surface_mesh_geodesic_offset/IO/write_csv.h>
 #include <CGAL/Surface_mesh_geodesic_offset/IO/write_dxf.h>
 #include <CGAL/Surface_mesh_geodesic_offset/IO/write_obj.h>

@@ -8,7 +8,7 @@
 
 #include <CGAL/Surface_mesh_geodesic_offset/IO/Length_unit.h>
 #include <CGAL/Surface_mesh_geodesic_offset/IO/internal/discretized_curves.h>
-#include <CGAL/Surface_mesh_geodesic_offset/IO/internal/plane_of_curves.h>
+#include <CGAL/Surface_mesh_geodesic_offset/IO/internal/Plane_of_curves.h>
 #include <CGAL/Surface_mesh_geodesic_offset/IO/internal/plane_pieces.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/parameters/named_parameters.h>
 

@@ -12,7 +12,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Geodesic_build.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Geodesic_surface.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Surface_point.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_output.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_elements.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_start.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_tracing.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/workers/Concurrency.h>

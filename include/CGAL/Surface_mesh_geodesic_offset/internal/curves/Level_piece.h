@@ -9,7 +9,7 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Face_frame.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/curves/Circle_points.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/curves/circle_points.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Face_window.h>
 
 #include <algorithm>

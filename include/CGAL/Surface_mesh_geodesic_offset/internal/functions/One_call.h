@@ -10,10 +10,10 @@
 
 #include <CGAL/Surface_mesh_geodesic_offset/Geodesic_mesh_type.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Geodesic_build.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/Statistics_report.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/statistics_report.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/graded/Graded_distances.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Source_argument.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Source_classification.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/sources/source_classification.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/parameters/named_parameters.h>
 
 #include <memory>

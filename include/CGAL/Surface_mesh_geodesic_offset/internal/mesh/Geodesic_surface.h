@@ -12,10 +12,11 @@
 #include <CGAL/Kernel/global_functions.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Index_renumbering.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Face_frame.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Point_conversion.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Layout_by_lengths.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/point_conversion.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Surface_point.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Unfolded_mesh.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Computation.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Computation_number.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/workers/Concurrency.h>
 
 #include <algorithm>

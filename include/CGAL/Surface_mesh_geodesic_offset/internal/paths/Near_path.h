@@ -8,7 +8,7 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_output.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_elements.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_tracing.h>
 
 #include <boost/config.hpp>

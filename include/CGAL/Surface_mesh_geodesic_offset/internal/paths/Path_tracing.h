@@ -12,7 +12,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Vertex_sector.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_goals.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_suffix_cache.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_output.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_elements.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_start.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Strip_walk.h>
 
@@ -36,7 +36,7 @@ public:
 
   typedef Suffix_end<FT> End;
 
-  // Writes the path from p to `out`, see Path_output.h, and returns its end: p itself for a point of a source, an empty end if
+  // Writes the path from p to `out`, see Path_elements.h and Path_points.h, and returns its end: p itself for a point of a source, an empty end if
   // p is not reached. `first`: the start of the path. `legs`: the cache of path suffixes of this field, which must be final.
   // `bypass`: receives a corrected start, see find_bypass().
   template <class Point_, class Legs, class Output>

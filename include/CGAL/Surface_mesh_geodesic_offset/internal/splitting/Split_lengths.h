@@ -8,7 +8,7 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/curves/Chord_tolerance.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/curves/chord_tolerance.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/parameters/named_parameters.h>
 
 #include <CGAL/Bbox_3.h>
