@@ -41,8 +41,8 @@ public:
     field.clear(mesh, initial.start_values);
   }
 
-  // What comes of another build when there are more sources. Its windows must be all that there are, up to the maximum
-  // distance.
+  // Continues another build with additional sources: starts from its distances and windows. The other build must have kept all
+  // windows up to the maximum distance.
   Geodesic_build(const Geodesic_build& before, const Source_set<FT>& source_set, const Build_request<FT>& request)
     : sources(source_set), initial(sources.initial_windows(before.m_mesh)), maximum(request.maximum),
       kept(request.keeps_windows), legs(before.m_mesh.number_of_vertices()), legs_in_space(before.m_mesh.number_of_vertices()),

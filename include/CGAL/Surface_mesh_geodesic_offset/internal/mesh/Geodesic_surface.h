@@ -145,8 +145,9 @@ struct Geodesic_surface
     return Face_location(face_of[face], exported(Face_frame<Number>(unfolded, face).barycentric_on_edge(edge, p)));
   }
 
-  // The same for a point that rounding may have moved out of the face: that is the nearest point of the edge that it has crossed. To
-  // set a negative coordinate to 0 would move it along this edge, too, and far if the face is thin.
+  // Location within the face of a point that rounding may have moved out of it; `edge` as above. A point outside is replaced by
+  // the nearest point of the edge that it has crossed. Setting its negative coordinate to 0 would also move the point along this
+  // edge, far if the face is thin.
   Face_location location_inside(Index face, const Point_in_face<Number>& p, int edge) const
   {
     Face_location l = location(face, p, edge);
