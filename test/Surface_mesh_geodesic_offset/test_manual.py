@@ -3,7 +3,8 @@
 """Builds the manual and checks it: test_manual.py DOXYFILE SOURCE_DIR
 
 - Doxygen has no warnings.
-- Each public entity has a brief description, each value of an enumeration a description, and no public declaration has an internal type or a nameless template parameter.
+- Each public entity has a brief description, and each value of an enumeration a description.
+- No public declaration has an internal type or a nameless template parameter.
 - Each function outside classes says which header declares it.
 - The pages that a newcomer looks for exist, and each local link and picture has a target.
 - Doxyfile.in, the form for the documentation of CGAL, works with the settings of the package alone in place of CGAL's.
@@ -149,7 +150,8 @@ def settings_for_cgal(doxyfile, source):
 
 
 def check_bibliography(source):
-    keys = re.findall(r"@\w+\{(\w+),", contents(os.path.join(source, "doc/Surface_mesh_geodesic_offset/Surface_mesh_geodesic_offset.bib")))
+    folder = os.path.join(source, "doc/Surface_mesh_geodesic_offset")
+    keys = re.findall(r"@\w+\{(\w+),", contents(os.path.join(folder, "Surface_mesh_geodesic_offset.bib")))
     texts = ""
     for top in ("doc", "include"):
         for directory, _, names in os.walk(os.path.join(source, top)):

@@ -154,7 +154,7 @@ public:
   {
     const Located_point p = classified(location);
     const Build& b = built_for(p);
-    const Number d = near_path(b).distance(p, b.legs);
+    const Number d = near_path(b).distance(p, b.suffixes);
     return Surface::exported(d > b.maximum ? Policy::infinity() : d);
   }
 
@@ -372,11 +372,11 @@ public:
   OutputIterator shortest_path_points_to_sources(const Location& location, OutputIterator out) const
   {
     const Build& b = built_exactly();
-    if constexpr (decltype(b.legs_in_space)::keeps)
+    if constexpr (decltype(b.suffixes_in_space)::keeps)
     {
       Geodesic_offset::internal::Path_points<Surface, OutputIterator> points(surface(), out);
       const Located_point p = classified(location);
-      tracing(b)(p, start_at(p), b.legs_in_space, points);
+      tracing(b)(p, start_at(p), b.suffixes_in_space, points);
       return points.out();
     }
     else
@@ -458,7 +458,7 @@ private:
   {
     const Build& b = built();
     Geodesic_offset::internal::No_path_output<Number> nothing;
-    return tracing(b)(p, start, b.legs, nothing);
+    return tracing(b)(p, start, b.suffixes, nothing);
   }
 
   template <class P, class Function>
@@ -466,7 +466,7 @@ private:
   {
     const Build& b = built();
     Geodesic_offset::internal::Path_elements<Number, Function> elements(out);
-    tracing(b)(p, start, b.legs, elements);
+    tracing(b)(p, start, b.suffixes, elements);
   }
 
   template <class Location, class Function>

@@ -72,7 +72,7 @@ OutputIterator shortest_path_to_sources(const TriangleMesh& tm, const From& from
   };
   const auto way = internal::start_of_path(surface.unfolded, *build, start);
   internal::Path_elements<Number, decltype(write)> elements(write);
-  internal::Path_tracing<Number>(surface.unfolded, build->initial, build->field)(start, way, build->legs, elements);
+  internal::Path_tracing<Number>(surface.unfolded, build->initial, build->field)(start, way, build->suffixes, elements);
   return out;
 }
 

@@ -110,7 +110,7 @@ private:
       std::vector<Path_crossing<Number>> passed;
       const auto collect = [&](const auto& p) { add(p, passed); };
       Path_elements<Number, decltype(collect)> elements(collect);
-      const auto end = Path_tracing<Number>(m_mesh, build.initial, build.field)(start, way, build.legs, elements).point;
+      const auto end = Path_tracing<Number>(m_mesh, build.initial, build.field)(start, way, build.suffixes, elements).point;
       // a path to a point inside a face that is at an edge up to rounding ends on the edge
       if (end.kind == Surface_point::EDGE && to.kind == Surface_point::FACE)
       {

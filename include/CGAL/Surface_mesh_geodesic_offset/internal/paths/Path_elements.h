@@ -44,7 +44,7 @@ public:
 
   // Receives the crossings of a straight part, which is complete with its end.
   Passed_crossings<FT>& passed() { return m_passed; }
-  void end_leg(const Suffix_end<FT>&) {}
+  void end_part(const Suffix_end<FT>&) {}
 
   // Appends the items of a straight part.
   void append(const Item* q, const Item* last, const Suffix_end<FT>& end)
@@ -72,7 +72,7 @@ public:
   {
   }
   Passed_crossings<FT>& passed() { return m_passed; }
-  void end_leg(const Suffix_end<FT>&) {}
+  void end_part(const Suffix_end<FT>&) {}
   void append(const Item*, const Item*, const Suffix_end<FT>&) {}
 
 private:

@@ -82,7 +82,7 @@ public:
   }
 
   Passed_points<Surface>& passed() { return m_passed; }
-  void end_leg(const Suffix_end<FT>& end)
+  void end_part(const Suffix_end<FT>& end)
   {
     m_passed.push_back(m_surface.point(end.point));
     m_passed.remove_repeated();
