@@ -241,15 +241,10 @@ def offset_in_face(folder):
 
     # the parts of the face that are nearer than the level, by the kind of their nearest point; the front of q ends where
     # that of the segment is as near, on a parabola
-    def distance_from_line(p):
-        return (p - end).dot(normal)
-
     def bisector(s):
         """Point at the coordinate s along the segment that is as far from q as from the segment."""
-        foot_q = q - normal * distance_from_line(q)
-        offset_q = (foot_q - end).dot(along)
-        h = distance_from_line(q)
-        return end + along * s + normal * ((h * h + (s - offset_q) ** 2) / (2 * h))
+        height, along_q = (q - end).dot(normal), (q - end).dot(along)
+        return end + along * s + normal * ((height ** 2 + (s - along_q) ** 2) / (2 * height))
 
     low, high = (corner - end).dot(along), 12.0
     for _ in range(60):
