@@ -12,11 +12,11 @@
 #include <CGAL/Surface_mesh_geodesic_offset/Offset_curve.h>
 #include <CGAL/Surface_mesh_geodesic_offset/Offset_levels.h>
 #include <CGAL/Surface_mesh_geodesic_offset/Offset_side.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/Statistics_report.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/statistics_report.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/graded/Graded_distances.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Offset_cutting.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Source_classification.h>
-#include <CGAL/Surface_mesh_geodesic_offset/named_parameters.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/cut_offset_curves.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/sources/source_classification.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/parameters/named_parameters.h>
 
 #include <cstddef>
 #include <iterator>

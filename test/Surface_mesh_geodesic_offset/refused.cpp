@@ -10,7 +10,7 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_geodesic_offset/Radical_numbers.h>
 #include <CGAL/Surface_mesh_geodesic_offset/Surface_mesh_geodesic_offset_traits.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Computation.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Computation_number.h>
 
 typedef CGAL::Exact_predicates_exact_constructions_kernel_with_sqrt Kernel;
 typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;

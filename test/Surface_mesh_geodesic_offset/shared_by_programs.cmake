@@ -1,7 +1,7 @@
 # Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# What the programs of the tests and of the benchmarks share, so that it is compiled once.
+# Libraries and functions for the programs of the tests and of the benchmarks. Each library is compiled once.
 
 # The package, and headers that most of the tests include, precompiled: 7 s less per translation unit. With TBB, as one
 # precompiled header serves only files with the same definitions.

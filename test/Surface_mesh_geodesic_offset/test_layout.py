@@ -1,10 +1,15 @@
 # Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The layout of the headers: no cycle of includes between folders, no protected members, include guards named after files.
+"""The layout of the headers: no cycle of includes between modules, no protected members, names of files and include guards.
 
     test_layout.py INCLUDE_FOLDER
 
-Files beside the folders of internal/ form one folder, the top of the pipeline.
+Each public header is a module, as programs include it alone. Each folder of internal/, IO/internal/, and the files beside the
+folders of internal/ are a module each. So an internal header may include a public one, for example of a type of results, if
+that header needs nothing of the folder of the internal header.
+
+A header has the name of its main class or type; that of a public class may omit "Geodesic_". A name in lower case is for
+headers of functions or metafunctions, with no more classes than these.
 """
 
 import os
@@ -14,7 +19,11 @@ import sys
 PACKAGE = "CGAL/Surface_mesh_geodesic_offset"
 INTERNAL = PACKAGE + "/internal/"
 INCLUDE = re.compile(r"^ *# *include *[<\"](%s[^>\"]*)[>\"]" % PACKAGE, re.MULTILINE)
-NO_GUARD = {INTERNAL + "parameters_interface.h"}  # included once per list
+NAME = re.compile(r"^(?:(class|struct)|enum class|using) (?:alignas\(.*\) )?(\w+)(?! *[;<\w])|^typedef [^;]*?(\w+);", re.MULTILINE)
+FUNCTION = re.compile(r"^(?!class|struct|enum|using|typedef|namespace|template|static_assert)\w.*\b\w+\(|^  typedef [^;]*\btype;",
+                      re.MULTILINE)
+DOORS = {PACKAGE + "/Radical_numbers.h"}  # public headers of internal modules, without a class
+NO_GUARD = {INTERNAL + "parameters/parameters_interface.h"}  # included once per list
 
 
 def headers(root):
@@ -24,31 +33,45 @@ def headers(root):
     return {name: open(os.path.join(root, name), encoding="utf-8").read() for name in sorted(names)}
 
 
-def folder_of(name):
-    if not name.startswith(INTERNAL):
-        return None
-    parts = name[len(INTERNAL):].split("/")
-    return parts[0] if len(parts) > 1 else "."
+def module_of(name):
+    """The folder of an internal header, the name of a public one."""
+    return os.path.dirname(name) if "/internal/" in name else name
+
+
+def naming_error(name, text):
+    """What is wrong with the name of a header; empty if nothing is."""
+    base = os.path.basename(name)[:-2]
+    found = NAME.findall(text)
+    types = {of_class or of_type for _, of_class, of_type in found}
+    main = base[0].upper() + base[1:]
+    if base == main:
+        is_public = "/internal/" not in name
+        is_main = base in types or is_public and "Geodesic_" + base[0].lower() + base[1:] in types
+        return "" if is_main or name in DOORS else name + " is not named after one of its types"
+    classes = {of_class for kind, of_class, _ in found if kind}
+    if main in types or len(classes) > len(FUNCTION.findall(text)):
+        return "%s is not a header of functions: it has the classes %s" % (name, ", ".join(sorted(classes)))
+    return ""
 
 
 def cycle(graph):
-    """Folders of a cycle in the order of their includes; empty if there is none."""
+    """Modules of a cycle in the order of their includes; empty if there is none."""
     done = set()
 
-    def search(folder, path):
-        if folder in path:
-            return path[path.index(folder):] + [folder]
-        if folder in done:
+    def search(module, path):
+        if module in path:
+            return path[path.index(module):] + [module]
+        if module in done:
             return []
-        for other in sorted(graph.get(folder, {})):
-            found = search(other, path + [folder])
+        for other in sorted(graph.get(module, {})):
+            found = search(other, path + [module])
             if found:
                 return found
-        done.add(folder)
+        done.add(module)
         return []
 
-    for folder in sorted(graph):
-        found = search(folder, [])
+    for module in sorted(graph):
+        found = search(module, [])
         if found:
             return found
     return []
@@ -61,13 +84,15 @@ def errors_of(texts):
         for included in INCLUDE.findall(text):
             if included not in texts:
                 errors.append("%s includes %s, which does not exist" % (name, included))
-            a, b = folder_of(name), folder_of(included)
-            if a and b and a != b:
+            a, b = module_of(name), module_of(included)
+            if a != b:
                 graph.setdefault(a, {}).setdefault(b, "%s includes %s" % (name, included))
     found = cycle(graph)
     if found:
-        errors.append("a cycle of folders: " + "; ".join(graph[a][b] for a, b in zip(found, found[1:])))
+        errors.append("a cycle of modules: " + "; ".join(graph[a][b] for a, b in zip(found, found[1:])))
     for name, text in texts.items():
+        if naming_error(name, text):
+            errors.append(naming_error(name, text))
         if re.search(r"^ *protected *:", text, re.MULTILINE):
             errors.append(name + " has protected members")
         guard = re.search(r"^#ifndef (CGAL_\w+_H)$\n^#define \1$", text, re.MULTILINE)
@@ -80,7 +105,15 @@ def errors_of(texts):
 def check_checks(texts):
     """Each kind of error is found in headers that have it."""
     first, second = INTERNAL + "mesh/Unfolded_mesh.h", INTERNAL + "windows/Window.h"
-    for name, text in ((first, texts[first] + "#include <%s>\n" % second.replace("Window.h", "Lower_envelope.h")),
+    functions = INTERNAL + "memory/prefetch.h"
+    for name, text in ((second, texts[second].replace("Window\n{", "Other\n{")),
+                       (functions, texts[functions].replace("\nnamespace CGAL", "\nstruct Prefetch\n{\n};\nnamespace CGAL", 1)),
+                       (first, texts[first] + "#include <%s>\n" % second.replace("Window.h", "Lower_envelope.h")),
+                       (first, texts[first] + "#include <%s/Geodesic_mesh.h>\n" % PACKAGE),
+                       (PACKAGE + "/Offset_side.h",
+                        "#include <%s/Offset_piece.h>\n" % PACKAGE + texts[PACKAGE + "/Offset_side.h"]),
+                       (PACKAGE + "/IO/internal/Curve_line.h",
+                        texts[PACKAGE + "/IO/internal/Curve_line.h"] + "#include <%s/IO/write_vtk.h>\n" % PACKAGE),
                        (second, texts[second] + "protected:\n"), (second, texts[second].replace("_H\n", "_HH\n")),
                        (first, texts[first] + "#include <%s>\n" % second.replace("Window.h", "Nothing.h"))):
         assert errors_of(dict(texts, **{name: text})), "an error in %s was not found" % name

@@ -3,9 +3,12 @@
 """Builds the manual and checks it: test_manual.py DOXYFILE SOURCE_DIR
 
 - Doxygen has no warnings.
-- Each public entity has a brief description, and no public declaration has an internal type or a nameless template parameter.
+- Each public entity has a brief description, and each value of an enumeration a description.
+- No public declaration has an internal type or a nameless template parameter.
 - Each function outside classes says which header declares it.
 - The pages that a newcomer looks for exist, and each local link and picture has a target.
+- Doxyfile.in, the form for the documentation of CGAL, works with the settings of the package alone in place of CGAL's.
+- Each publication of the bibliography is cited.
 - The README and the page for contributors name only files that exist, and the README shows the example program as it is.
 
 The exit code is 77, for "skipped", where Doxygen is not installed.
@@ -38,12 +41,12 @@ def contents(path):
         return file.read()
 
 
-def build(doxyfile, directory):
-    """Runs Doxygen and returns its warnings."""
+def build(text, directory):
+    """Runs Doxygen with the settings and returns its warnings."""
     settings = os.path.join(directory, "Doxyfile")
     warnings = os.path.join(directory, "warnings.txt")
     with open(settings, "w", encoding="utf-8") as file:
-        file.write(contents(doxyfile))
+        file.write(text)
         file.write('\nOUTPUT_DIRECTORY = "%s"\nWARN_LOGFILE = "%s"\nGENERATE_XML = YES\n' % (directory, warnings))
     result = subprocess.run(["doxygen", settings], cwd=directory)
     check(result.returncode == 0, "doxygen: exit code %d" % result.returncode)
@@ -73,6 +76,9 @@ def check_declarations(directory):
                 arguments = text_of(member.find("argsstring"))
                 full_name = "%s::%s%s" % (compound_name, text_of(member.find("name")), arguments)
                 check(text_of(member.find("briefdescription")), full_name + " has no brief description")
+                for value in member.iterfind("enumvalue"):
+                    check(text_of(value.find("briefdescription")) or text_of(value.find("detaileddescription")),
+                          "%s::%s has no description" % (full_name, text_of(value.find("name"))))
                 parameters = text_of(member.find("templateparamlist"))
                 declaration = " ".join((parameters, text_of(member.find("type")), arguments))
                 check("internal" not in declaration, "%s has an internal type: %s" % (full_name, declaration))
@@ -132,6 +138,29 @@ def check_contents(directory):
         check(functions > 3 and includes >= functions, "%s: %d functions, %d #include" % (group, functions, includes))
 
 
+def settings_for_cgal(doxyfile, source):
+    """Doxyfile.in with the variables of CGAL's CMake files; the Doxyfile replaces the defaults of CGAL."""
+    text = contents(os.path.join(source, "doc/Surface_mesh_geodesic_offset/Doxyfile.in"))
+    for name, value in (("CGAL_DOC_PACKAGE_DEFAULTS", doxyfile), ("CGAL_DOC_VERSION", "6.0"), ("CGAL_PACKAGE_DIR", source),
+                        ("CGAL_PACKAGE_DOC_DIR", os.path.join(source, "doc/Surface_mesh_geodesic_offset"))):
+        check("${%s}" % name in text, "Doxyfile.in does not use " + name)
+        text = text.replace("${%s}" % name, value)
+    check("${" not in text, "Doxyfile.in uses an unknown variable")
+    return text
+
+
+def check_bibliography(source):
+    folder = os.path.join(source, "doc/Surface_mesh_geodesic_offset")
+    keys = re.findall(r"@\w+\{(\w+),", contents(os.path.join(folder, "Surface_mesh_geodesic_offset.bib")))
+    texts = ""
+    for top in ("doc", "include"):
+        for directory, _, names in os.walk(os.path.join(source, top)):
+            texts += "".join(contents(os.path.join(directory, name)) for name in names if name.endswith((".txt", ".md", ".h")))
+    check(keys, "no publication in the bibliography")
+    for key in keys:
+        check("\\cgalCite{%s}" % key in texts, key + " is not cited")
+
+
 def check_names(path, source):
     """Each name of a file in a Markdown text is that of a file of the repository."""
     files = set()
@@ -163,11 +192,16 @@ def main(doxyfile, source):
         print("skipped: Doxygen is not installed")
         return 77
     with tempfile.TemporaryDirectory() as directory:
-        warnings = build(doxyfile, directory)
+        warnings = build(contents(doxyfile), directory)
         check(not warnings, "Doxygen warns:\n" + warnings)
         check_declarations(os.path.join(directory, "xml"))
         check_links(os.path.join(directory, "html"))
         check_contents(os.path.join(directory, "html"))
+    with tempfile.TemporaryDirectory() as directory:
+        warnings = build(settings_for_cgal(os.path.abspath(doxyfile), source), directory)
+        check(not warnings, "Doxygen warns with Doxyfile.in:\n" + warnings)
+        check("Triangulated Surface Mesh Geodesic Offsets" in contents(os.path.join(directory, "html/index.html")), "the title")
+    check_bibliography(source)
     check_names(os.path.join(source, "README.md"), source)
     check_names(os.path.join(source, "doc/Surface_mesh_geodesic_offset/contributing.md"), source)
     check_example(source)

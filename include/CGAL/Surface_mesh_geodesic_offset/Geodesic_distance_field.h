@@ -14,13 +14,15 @@
 #include <CGAL/Surface_mesh_geodesic_offset/Offset_levels.h>
 #include <CGAL/Surface_mesh_geodesic_offset/Offset_side.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Geodesic_build.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/Vertex_results.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/vertex_results.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/field/Farthest_point.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Offset_cutting.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/cut_offset_curves.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Near_path.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_output.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_elements.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_points.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_visits.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_tracing.h>
-#include <CGAL/Surface_mesh_geodesic_offset/named_parameters.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/parameters/named_parameters.h>
 
 #include <cstddef>
 #include <limits>
@@ -152,7 +154,7 @@ public:
   {
     const Located_point p = classified(location);
     const Build& b = built_for(p);
-    const Number d = near_path(b).distance(p, b.legs);
+    const Number d = near_path(b).distance(p, b.suffixes);
     return Surface::exported(d > b.maximum ? Policy::infinity() : d);
   }
 
@@ -370,11 +372,11 @@ public:
   OutputIterator shortest_path_points_to_sources(const Location& location, OutputIterator out) const
   {
     const Build& b = built_exactly();
-    if constexpr (decltype(b.legs_in_space)::keeps)
+    if constexpr (decltype(b.suffixes_in_space)::keeps)
     {
       Geodesic_offset::internal::Path_points<Surface, OutputIterator> points(surface(), out);
       const Located_point p = classified(location);
-      tracing(b)(p, start_at(p), b.legs_in_space, points);
+      tracing(b)(p, start_at(p), b.suffixes_in_space, points);
       return points.out();
     }
     else
@@ -456,7 +458,7 @@ private:
   {
     const Build& b = built();
     Geodesic_offset::internal::No_path_output<Number> nothing;
-    return tracing(b)(p, start, b.legs, nothing);
+    return tracing(b)(p, start, b.suffixes, nothing);
   }
 
   template <class P, class Function>
@@ -464,7 +466,7 @@ private:
   {
     const Build& b = built();
     Geodesic_offset::internal::Path_elements<Number, Function> elements(out);
-    tracing(b)(p, start, b.legs, elements);
+    tracing(b)(p, start, b.suffixes, elements);
   }
 
   template <class Location, class Function>

@@ -10,12 +10,12 @@
 #include <CGAL/Surface_mesh_geodesic_offset/Geodesic_source_set.h>
 #include <CGAL/Surface_mesh_geodesic_offset/Surface_mesh_geodesic_offset_traits.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Geodesic_mesh_data.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Normal_angle.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Own_maps.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/normal_angle.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/own_maps.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Polyline_joining.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Plane_cutting.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/workers/Concurrency.h>
-#include <CGAL/Surface_mesh_geodesic_offset/named_parameters.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/parameters/named_parameters.h>
 
 #include <CGAL/Default.h>
 #include <CGAL/Polygon_mesh_processing/border.h>

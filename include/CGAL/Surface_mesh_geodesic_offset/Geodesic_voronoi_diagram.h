@@ -7,9 +7,9 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/Bisector_piece.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/Vertex_results.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/vertex_results.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Geodesic_mesh_data.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Chord_tolerance.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/curves/chord_tolerance.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Extended_bisectors.h>
 
 #include <CGAL/assertions.h>

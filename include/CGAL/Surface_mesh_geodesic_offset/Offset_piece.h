@@ -7,9 +7,9 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/Offset_side.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Chord_tolerance.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Curve_context.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Level_piece.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/curves/chord_tolerance.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/curves/Curve_context.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/curves/Level_piece.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Merge_error_code.h>
 
 #include <CGAL/assertions.h>

@@ -7,15 +7,15 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 // first, so that compilation with refused options ends before the other headers
-#include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Arithmetic_check.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/certified/arithmetic_check.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/Geodesic_mesh.h>
 #include <CGAL/Surface_mesh_geodesic_offset/Geodesic_offset_certificate.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_front.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_query.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Offset_certification.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Source_classification.h>
-#include <CGAL/Surface_mesh_geodesic_offset/named_parameters.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/sources/source_classification.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/parameters/named_parameters.h>
 
 #include <cstddef>
 #include <memory>

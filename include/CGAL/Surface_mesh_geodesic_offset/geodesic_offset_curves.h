@@ -9,9 +9,9 @@
 #include <CGAL/Surface_mesh_geodesic_offset/Offset_curve.h>
 #include <CGAL/Surface_mesh_geodesic_offset/Offset_levels.h>
 #include <CGAL/Surface_mesh_geodesic_offset/Offset_side.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/One_call.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Offset_cutting.h>
-#include <CGAL/Surface_mesh_geodesic_offset/named_parameters.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/functions/One_call.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/cut_offset_curves.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/parameters/named_parameters.h>
 
 #include <algorithm>
 

@@ -6,11 +6,11 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/One_call.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/functions/One_call.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Near_path.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_output.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_elements.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_tracing.h>
-#include <CGAL/Surface_mesh_geodesic_offset/named_parameters.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/parameters/named_parameters.h>
 
 #include <type_traits>
 #include <utility>
@@ -72,7 +72,7 @@ OutputIterator shortest_path_to_sources(const TriangleMesh& tm, const From& from
   };
   const auto way = internal::start_of_path(surface.unfolded, *build, start);
   internal::Path_elements<Number, decltype(write)> elements(write);
-  internal::Path_tracing<Number>(surface.unfolded, build->initial, build->field)(start, way, build->legs, elements);
+  internal::Path_tracing<Number>(surface.unfolded, build->initial, build->field)(start, way, build->suffixes, elements);
   return out;
 }
 

@@ -11,7 +11,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/splitting/Mesh_splitting.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/splitting/Split_lengths.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/splitting/Split_levels.h>
-#include <CGAL/Surface_mesh_geodesic_offset/named_parameters.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/parameters/named_parameters.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/property_map.h>

@@ -10,4 +10,4 @@
 #pragma GCC system_header // #include_next is an extension
 #include_next <CGAL/STL_Extension/internal/parameters_interface.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/parameters_interface.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/parameters/parameters_interface.h>

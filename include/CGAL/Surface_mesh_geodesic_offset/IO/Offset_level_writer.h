@@ -11,7 +11,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/IO/write_obj.h>
 #include <CGAL/Surface_mesh_geodesic_offset/IO/write_polylines.h>
 #include <CGAL/Surface_mesh_geodesic_offset/IO/write_vtp.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Chord_tolerance.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/curves/chord_tolerance.h>
 
 #include <CGAL/assertions.h>
 

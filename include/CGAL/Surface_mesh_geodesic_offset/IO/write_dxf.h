@@ -8,7 +8,7 @@
 
 #include <CGAL/Surface_mesh_geodesic_offset/IO/Length_unit.h>
 #include <CGAL/Surface_mesh_geodesic_offset/IO/internal/discretized_curves.h>
-#include <CGAL/Surface_mesh_geodesic_offset/IO/internal/dxf_document.h>
+#include <CGAL/Surface_mesh_geodesic_offset/IO/internal/Dxf_document.h>
 #include <CGAL/Surface_mesh_geodesic_offset/IO/internal/plane_pieces.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/curves/Curve_thinning.h>
 

@@ -6,7 +6,7 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/IO/internal/curve_line.h>
+#include <CGAL/Surface_mesh_geodesic_offset/IO/internal/Curve_line.h>
 
 #include <cstddef>
 #include <ostream>

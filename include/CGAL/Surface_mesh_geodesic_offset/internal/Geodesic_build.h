@@ -36,17 +36,18 @@ public:
 
   Geodesic_build(const Unfolded_mesh<FT>& mesh, const Source_set<FT>& source_set, const Build_request<FT>& request)
     : sources(source_set), initial(sources.initial_windows(mesh)), maximum(request.maximum), kept(request.keeps_windows),
-      legs(mesh.number_of_vertices()), legs_in_space(mesh.number_of_vertices()), m_mesh(mesh), m_request(request)
+      suffixes(mesh.number_of_vertices()), suffixes_in_space(mesh.number_of_vertices()), m_mesh(mesh), m_request(request)
   {
     field.clear(mesh, initial.start_values);
   }
 
-  // What comes of another build when there are more sources. Its windows must be all that there are, up to the maximum
-  // distance.
+  // Continues another build with additional sources: starts from its distances and windows. The other build must have kept all
+  // windows up to the maximum distance.
   Geodesic_build(const Geodesic_build& before, const Source_set<FT>& source_set, const Build_request<FT>& request)
     : sources(source_set), initial(sources.initial_windows(before.m_mesh)), maximum(request.maximum),
-      kept(request.keeps_windows), legs(before.m_mesh.number_of_vertices()), legs_in_space(before.m_mesh.number_of_vertices()),
-      m_mesh(before.m_mesh), m_request(request), m_first_new(Index(before.initial.primitives.size()))
+      kept(request.keeps_windows), suffixes(before.m_mesh.number_of_vertices()),
+      suffixes_in_space(before.m_mesh.number_of_vertices()), m_mesh(before.m_mesh), m_request(request),
+      m_first_new(Index(before.initial.primitives.size()))
   {
     field.start_from(before.field, initial.start_values);
   }
@@ -104,8 +105,8 @@ public:
   std::optional<Farthest<FT>> farthest; // if requested and existing
   Geodesic_offset_statistics statistics;
   // caches for the paths of queries
-  mutable Path_suffix_cache<FT, Path_crossing<FT>> legs;
-  mutable Path_suffix_cache<FT, typename Traits::Point_3> legs_in_space;
+  mutable Path_suffix_cache<FT, Path_crossing<FT>> suffixes;
+  mutable Path_suffix_cache<FT, typename Traits::Point_3> suffixes_in_space;
 
 private:
   typedef std::chrono::steady_clock Clock;

@@ -12,7 +12,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Geodesic_build.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Geodesic_surface.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Surface_point.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_output.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_elements.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_start.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_tracing.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/workers/Concurrency.h>
@@ -110,7 +110,7 @@ private:
       std::vector<Path_crossing<Number>> passed;
       const auto collect = [&](const auto& p) { add(p, passed); };
       Path_elements<Number, decltype(collect)> elements(collect);
-      const auto end = Path_tracing<Number>(m_mesh, build.initial, build.field)(start, way, build.legs, elements).point;
+      const auto end = Path_tracing<Number>(m_mesh, build.initial, build.field)(start, way, build.suffixes, elements).point;
       // a path to a point inside a face that is at an edge up to rounding ends on the edge
       if (end.kind == Surface_point::EDGE && to.kind == Surface_point::FACE)
       {

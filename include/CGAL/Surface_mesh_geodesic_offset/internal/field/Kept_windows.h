@@ -9,7 +9,7 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/memory/Prefetch.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/memory/prefetch.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Start_values.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Rays_through_chord.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window_lists.h>

@@ -13,7 +13,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/front/Child_window_writer.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/memory/Inline_sequence.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Simd_edge_exit.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window_checks.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/window_checks.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window_order.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window_propagation.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window_pruning.h>

@@ -11,7 +11,7 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/front/Front_messages.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/front/Front_sender.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/front/Front_partition.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/front/Sequential_front.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/workers/Worker_team.h>

@@ -19,7 +19,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/front/Source_pacing.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/front/Wavefront_state.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/front/Window_merging.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Merging_groups.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/sources/merging_groups.h>
 
 #include <algorithm>
 #include <vector>

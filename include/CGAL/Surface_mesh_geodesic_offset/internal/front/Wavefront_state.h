@@ -382,7 +382,8 @@ public:
     if (admits(g, field.distance[mesh.source(g)], field.distance[mesh.target(g)], w)) append(g, w);
   }
 
-  // The same for a halfedge apart from the vertex of the rays; the parallel sender has its own variant.
+  // Adds a window to the list of a halfedge that is not incident to the vertex of the rays. Front_sender distinguishes this case
+  // from add(); here, both are equal.
   void add_apart(Index g, Window& w) { add(g, w); }
 
   // Trims a window by the distances ds and dt at the ends of g. Returns true if a part of it remains within the maximum.

@@ -10,8 +10,8 @@
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/front/Wavefront.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/graded/Extended_mesh.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Computation.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Double_arithmetic.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Computation_number.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/double_arithmetic.h>
 
 #include <optional>
 #include <type_traits>

@@ -12,10 +12,11 @@
 #include <CGAL/Kernel/global_functions.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Index_renumbering.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Face_frame.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Point_conversion.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Layout_by_lengths.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/point_conversion.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Surface_point.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Unfolded_mesh.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Computation.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Computation_number.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/workers/Concurrency.h>
 
 #include <algorithm>
@@ -144,8 +145,9 @@ struct Geodesic_surface
     return Face_location(face_of[face], exported(Face_frame<Number>(unfolded, face).barycentric_on_edge(edge, p)));
   }
 
-  // The same for a point that rounding may have moved out of the face: that is the nearest point of the edge that it has crossed. To
-  // set a negative coordinate to 0 would move it along this edge, too, and far if the face is thin.
+  // Location within the face of a point that rounding may have moved out of it; `edge` as above. A point outside is replaced by
+  // the nearest point of the edge that it has crossed. Setting its negative coordinate to 0 would also move the point along this
+  // edge, far if the face is thin.
   Face_location location_inside(Index face, const Point_in_face<Number>& p, int edge) const
   {
     Face_location l = location(face, p, edge);

@@ -11,8 +11,8 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/memory/Prefetch.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Face_layout.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/memory/prefetch.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Layout_by_points.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Face_links.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Number_policy.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/workers/Concurrency.h>
@@ -72,7 +72,7 @@ public:
   {
   }
 
-  // With another layout of faces, see Face_layout.h.
+  // With another layout of faces, see Layout_by_lengths.h.
   template <class Numbers, class Layout, class Team>
   Unfolded_mesh(const Numbers& numbers, const All_face_links& links, const std::vector<Index>& face_at,
                 std::size_t number_of_vertices, const Layout& layout, Team& team)

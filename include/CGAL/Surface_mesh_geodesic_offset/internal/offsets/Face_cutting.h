@@ -14,7 +14,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Crossing.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Edge_crossings.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Face_crossings.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Interior_maximum.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/interior_maximum.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Level_range.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Level_tracer.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Offset_tolerances.h>

@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Circle_points.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/curves/circle_points.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Window_cone.h>
 
 #include <CGAL/assertions.h>

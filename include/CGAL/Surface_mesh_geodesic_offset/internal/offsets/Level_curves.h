@@ -9,7 +9,7 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Level_piece.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/curves/Level_piece.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Offset_tolerances.h>
 
 #include <CGAL/assertions.h>

@@ -152,7 +152,8 @@ private:
   // Pieces in a face at a level that may cross it, per window of the face: one of four to ten has a piece on fine meshes, one of
   // two to four in faces with many sources. Binding test of these limits: test_offset_families.
   static constexpr double pieces_per_window = 1. / 4;
-  // The same per window of a source in the face: near crossing segments, all of them have pieces, and two on average.
+  // Pieces in such a face per window of a source inside the face: near crossing segments, each of these windows has two pieces on
+  // average.
   static constexpr double pieces_per_local_window = 2;
   // A face with more of them at a level may have more pieces than all others that are cut before it, so it counts by its windows.
   static constexpr double many_pieces = 16;

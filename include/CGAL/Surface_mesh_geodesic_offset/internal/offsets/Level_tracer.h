@@ -14,7 +14,7 @@
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Level_arcs.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Level_cell.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Level_piece.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/curves/Level_piece.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Level_walk.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Near_intervals.h>
 

@@ -8,7 +8,7 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_output.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_elements.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_tracing.h>
 
 #include <boost/config.hpp>
@@ -34,7 +34,7 @@ public:
 
   void start(const Surface_point<FT>& p) { m_last = p; }
   Passed_crossings<FT>& passed() { return m_passed; }
-  void end_leg(const Suffix_end<FT>&) {}
+  void end_part(const Suffix_end<FT>&) {}
 
   void append(const Item* q, const Item* last, const Suffix_end<FT>& end)
   {
@@ -86,21 +86,21 @@ public:
   {
   }
 
-  // `legs`: the cache of path suffixes of this field.
-  template <class Legs>
-  FT distance(const Located_point<FT>& p, Legs& legs) const
+  // `suffixes`: the cache of path suffixes of this field.
+  template <class Suffix_cache>
+  FT distance(const Located_point<FT>& p, Suffix_cache& suffixes) const
   {
     if (p.kind == Surface_point<FT>::VERTEX) return m_field.distance_of_path(p.element);
     const FT d = Path_starts<FT>(m_mesh, m_initial, m_field).distance(p);
-    return d > FT(0) && is_near(p, FT(d - m_field.start_values.largest())) ? measured(p, legs).distance : d;
+    return d > FT(0) && is_near(p, FT(d - m_field.start_values.largest())) ? measured(p, suffixes).distance : d;
   }
 
-  template <class Legs>
-  Path_start<FT> operator()(const Located_point<FT>& p, Legs& legs) const
+  template <class Suffix_cache>
+  Path_start<FT> operator()(const Located_point<FT>& p, Suffix_cache& suffixes) const
   {
     Path_start<FT> start = Path_starts<FT>(m_mesh, m_initial, m_field)(p);
     if (p.kind == Surface_point<FT>::VERTEX) set_distance(m_field.distance_of_path(p.element), start);
-    else if (!start.is_at_source() && is_near(p, start.length()) && start.halfedge != no_index) measure(p, legs, start);
+    else if (!start.is_at_source() && is_near(p, start.length()) && start.halfedge != no_index) measure(p, suffixes, start);
     return start;
   }
 
@@ -113,7 +113,7 @@ public:
     {
       if (!m_measures) return result;
       const Path_starts<FT> starts(m_mesh, m_initial, m_field);
-      const No_suffix_cache<FT> no_legs{};
+      const No_suffix_cache<FT> no_suffixes{};
       const FT limit = (std::min)(maximum, FT(m_field.start_values.largest() + FT(near_part) * m_mesh.longest_edge()));
       for (Index v = 0; v < m_mesh.number_of_vertices(); ++v)
       {
@@ -121,7 +121,7 @@ public:
         const auto p = Surface_point<FT>::at_vertex(v);
         Path_start<FT> start = starts.at_vertex(v);
         if (start.halfedge == no_index || !is_near(p, start.length())) continue;
-        measure(p, no_legs, start);
+        measure(p, no_suffixes, start);
         if (start.is_measured) result.emplace_hint(result.end(), v, start.distance);
       }
     }
@@ -129,10 +129,10 @@ public:
   }
 
 private:
-  template <class Legs>
-  BOOST_NOINLINE Path_start<FT> measured(const Located_point<FT>& p, Legs& legs) const
+  template <class Suffix_cache>
+  BOOST_NOINLINE Path_start<FT> measured(const Located_point<FT>& p, Suffix_cache& suffixes) const
   {
-    return (*this)(p, legs);
+    return (*this)(p, suffixes);
   }
 
   // Largest length of a measured path, as a part of the longest edge. The allowance of windows, 256 units of rounding of an
@@ -158,13 +158,13 @@ private:
     return size;
   }
 
-  template <class Legs>
-  BOOST_NOINLINE void measure(const Surface_point<FT>& p, Legs& legs, Path_start<FT>& start) const
+  template <class Suffix_cache>
+  BOOST_NOINLINE void measure(const Surface_point<FT>& p, Suffix_cache& suffixes, Path_start<FT>& start) const
   {
     Path_measurement<FT> path(m_mesh);
     Path_start<FT> bypass;
     const bool is_vertex = p.kind == Surface_point<FT>::VERTEX; // the direction of its path is that of the build
-    Path_tracing<FT>(m_mesh, m_initial, m_field)(p, start, legs, path, is_vertex ? nullptr : &bypass);
+    Path_tracing<FT>(m_mesh, m_initial, m_field)(p, start, suffixes, path, is_vertex ? nullptr : &bypass);
     // A path whose length differs by more than rounding gives no distance. The limit is twice the allowance of windows plus 4
     // units per change of the frame: a coordinate has two products and two sums, and frames are as exact as apexes.
     const FT allowance =
@@ -201,7 +201,7 @@ private:
 template <class FT, class Build>
 Path_start<FT> start_of_path(const Unfolded_mesh<FT>& mesh, const Build& build, const Located_point<FT>& p)
 {
-  const Path_start<FT> start = Near_path<FT>(mesh, build.initial, build.field, !build.is_approximate())(p, build.legs);
+  const Path_start<FT> start = Near_path<FT>(mesh, build.initial, build.field, !build.is_approximate())(p, build.suffixes);
   return start.distance > build.maximum ? Path_start<FT>() : start;
 }
 

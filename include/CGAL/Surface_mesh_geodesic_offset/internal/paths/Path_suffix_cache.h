@@ -8,7 +8,7 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/memory/Prefetch.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/memory/prefetch.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Surface_point.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window.h>
 
@@ -45,12 +45,12 @@ public:
   static Path_suffix* create(const Items& items, const Suffix_end<FT>& end)
   {
     static_assert(alignof(Item) <= alignof(Path_suffix) && std::is_trivially_destructible<Path_suffix>::value, "");
-    Path_suffix* const leg = new (::operator new(bytes(items.size()))) Path_suffix(end, Index(items.size()));
-    std::uninitialized_copy(items.begin(), items.end(), reinterpret_cast<Item*>(leg + 1));
-    return leg;
+    Path_suffix* const suffix = new (::operator new(bytes(items.size()))) Path_suffix(end, Index(items.size()));
+    std::uninitialized_copy(items.begin(), items.end(), reinterpret_cast<Item*>(suffix + 1));
+    return suffix;
   }
 
-  static void destroy(const Path_suffix* leg) { ::operator delete(const_cast<Path_suffix*>(leg)); }
+  static void destroy(const Path_suffix* suffix) { ::operator delete(const_cast<Path_suffix*>(suffix)); }
 
   static std::size_t bytes(std::size_t size) { return sizeof(Path_suffix) + size * sizeof(Item); }
 
@@ -71,7 +71,7 @@ template <class FT, class Item>
 class Path_suffix_cache
 {
 public:
-  typedef Path_suffix<FT, Item> Leg;
+  typedef Path_suffix<FT, Item> Suffix;
 
   // Exact numbers and points with reference counts are not cached: they are not safe for threads, and long to store.
   static constexpr bool keeps = std::is_floating_point<FT>::value && std::is_trivially_copyable<Item>::value;
@@ -81,24 +81,24 @@ public:
   Path_suffix_cache& operator=(const Path_suffix_cache&) = delete;
   ~Path_suffix_cache()
   {
-    const Place* const legs = m_legs.load(std::memory_order_relaxed);
-    for (std::size_t v = 0; legs && v < m_size; ++v) destroy(legs[v].load(std::memory_order_relaxed));
-    delete[] legs;
+    const Place* const suffixes = m_suffixes.load(std::memory_order_relaxed);
+    for (std::size_t v = 0; suffixes && v < m_size; ++v) destroy(suffixes[v].load(std::memory_order_relaxed));
+    delete[] suffixes;
   }
 
   // The suffix behind a vertex; null if it is not cached.
-  const Leg* find(Index v) const
+  const Suffix* find(Index v) const
   {
-    const Place* const legs = m_legs.load(std::memory_order_acquire);
-    if (!legs) return nullptr;
-    const Leg* const leg = legs[v].load(std::memory_order_acquire);
-    return leg == walked_once() ? nullptr : leg;
+    const Place* const suffixes = m_suffixes.load(std::memory_order_acquire);
+    if (!suffixes) return nullptr;
+    const Suffix* const suffix = suffixes[v].load(std::memory_order_acquire);
+    return suffix == walked_once() ? nullptr : suffix;
   }
 
   // Software prefetch of the suffix behind a vertex.
   BOOST_FORCEINLINE void prefetch(Index v) const
   {
-    if (const Leg* const leg = find(v)) internal::prefetch(leg, Leg::bytes(8));
+    if (const Suffix* const suffix = find(v)) internal::prefetch(suffix, Suffix::bytes(8));
   }
 
   // Stores a suffix. Many paths bend at the same vertices, but few start at the same vertex; the first part of a path is stored
@@ -108,22 +108,22 @@ public:
   {
     CGAL_precondition(v < m_size);
     Place& place = places()[v];
-    const Leg* known = nullptr;
+    const Suffix* known = nullptr;
     if (!starts_path) known = place.load(std::memory_order_relaxed);
     else if (place.compare_exchange_strong(known, walked_once(), std::memory_order_relaxed)) return;
     if (known && known != walked_once()) return;
-    const std::size_t bytes = Leg::bytes(items.size()) + overhead;
+    const std::size_t bytes = Suffix::bytes(items.size()) + overhead;
     if (m_bytes.fetch_add(bytes, std::memory_order_relaxed) + bytes <= m_size * bytes_a_vertex)
     {
-      const Leg* const leg = Leg::create(items, end);
-      if (place.compare_exchange_strong(known, leg, std::memory_order_release, std::memory_order_relaxed)) return;
-      destroy(leg); // another thread stored it first
+      const Suffix* const suffix = Suffix::create(items, end);
+      if (place.compare_exchange_strong(known, suffix, std::memory_order_release, std::memory_order_relaxed)) return;
+      destroy(suffix); // another thread stored it first
     }
     m_bytes.fetch_sub(bytes, std::memory_order_relaxed);
   }
 
 private:
-  typedef std::atomic<const Leg*> Place;
+  typedef std::atomic<const Suffix*> Place;
 
   enum {
     bytes_a_vertex = 256, // limit of the average
@@ -131,28 +131,28 @@ private:
   };
 
   // Stands for a suffix used once, which is not stored.
-  static const Leg* walked_once()
+  static const Suffix* walked_once()
   {
     static const char place = 0;
-    return reinterpret_cast<const Leg*>(&place);
+    return reinterpret_cast<const Suffix*>(&place);
   }
 
   Place* places()
   {
-    Place* places = m_legs.load(std::memory_order_acquire);
+    Place* places = m_suffixes.load(std::memory_order_acquire);
     if (places) return places;
     std::unique_ptr<Place[]> fresh(new Place[m_size]);
     for (std::size_t v = 0; v < m_size; ++v) fresh[v].store(nullptr, std::memory_order_relaxed);
-    return m_legs.compare_exchange_strong(places, fresh.get(), std::memory_order_acq_rel) ? fresh.release() : places;
+    return m_suffixes.compare_exchange_strong(places, fresh.get(), std::memory_order_acq_rel) ? fresh.release() : places;
   }
 
-  static void destroy(const Leg* leg)
+  static void destroy(const Suffix* suffix)
   {
-    if (leg && leg != walked_once()) Leg::destroy(leg);
+    if (suffix && suffix != walked_once()) Suffix::destroy(suffix);
   }
 
   const std::size_t m_size;
-  std::atomic<Place*> m_legs{nullptr};
+  std::atomic<Place*> m_suffixes{nullptr};
   std::atomic<std::size_t> m_bytes{0};
 };
 
@@ -160,7 +160,7 @@ private:
 template <class FT>
 struct No_suffix_cache
 {
-  typedef Path_suffix<FT, Path_crossing<FT>> Leg;
+  typedef Path_suffix<FT, Path_crossing<FT>> Suffix;
   static constexpr bool keeps = false;
 };
 

@@ -12,7 +12,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Vertex_sector.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_goals.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_suffix_cache.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_output.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_elements.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_start.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Strip_walk.h>
 
@@ -36,14 +36,16 @@ public:
 
   typedef Suffix_end<FT> End;
 
-  // Writes the path from p to `out`, see Path_output.h, and returns its end: p itself for a point of a source, an empty end if
-  // p is not reached. `first`: the start of the path. `legs`: the cache of path suffixes of this field, which must be final.
+  // Writes the path from p to `out`, see Path_elements.h and Path_points.h, and returns its end: p itself for a point of a source,
+  // an empty end if p is not reached. `first`: the start of the path. `suffixes`: the cache of path suffixes of this field, which
+  // must be final.
   // `bypass`: receives a corrected start, see find_bypass().
-  template <class Point_, class Legs, class Output>
-  End operator()(const Point_& p, const Path_start<FT>& first, Legs& legs, Output& out, Path_start<FT>* bypass = nullptr) const
+  template <class Point_, class Suffix_cache, class Output>
+  End operator()(const Point_& p, const Path_start<FT>& first, Suffix_cache& suffixes, Output& out,
+                 Path_start<FT>* bypass = nullptr) const
   {
     if (!first.is_reached()) return End();
-    if (first.is_measured && !first.is_at_source()) return (*this)(p, first.before_measurement(), legs, out, bypass);
+    if (first.is_measured && !first.is_at_source()) return (*this)(p, first.before_measurement(), suffixes, out, bypass);
     out.start(p);
     if (first.is_at_source() || first.halfedge == no_index) return end_at_source(p, first);
     const Index limit = Index(m_mesh.number_of_vertices());
@@ -52,23 +54,23 @@ public:
     Index v = p.kind == Surface_point_::VERTEX ? p.element : no_index;
     for (Index guard = 0; guard <= limit; ++guard)
     {
-      if (const typename Legs::Leg* const leg = known_leg(legs, v))
+      if (const typename Suffix_cache::Suffix* const suffix = known_suffix(suffixes, v))
       {
-        out.append(leg->first_item(), leg->last_item(), leg->end());
-        if (leg->end().is_at_source()) return leg->end();
-        v = leg->end().point.element;
+        out.append(suffix->first_item(), suffix->last_item(), suffix->end());
+        if (suffix->end().is_at_source()) return suffix->end();
+        v = suffix->end().point.element;
         continue;
       }
       if (guard != 0) further = m_start.at_vertex(v);
       const Path_start<FT>& start = guard == 0 ? first : further;
       if (start.halfedge == no_index || start.is_at_source()) break;
-      if constexpr (Legs::keeps)
-        if (start.pseudo_source != no_index) legs.prefetch(start.pseudo_source);
+      if constexpr (Suffix_cache::keeps)
+        if (start.pseudo_source != no_index) suffixes.prefetch(start.pseudo_source);
       passed.clear();
       const End end = follow(start, passed, guard == 0 ? bypass : nullptr);
-      out.end_leg(end);
-      if constexpr (Legs::keeps)
-        if (v != no_index) legs.keep(v, passed, end, guard == 0);
+      out.end_part(end);
+      if constexpr (Suffix_cache::keeps)
+        if (v != no_index) suffixes.keep(v, passed, end, guard == 0);
       out.append(passed.data(), passed.data() + passed.size(), end);
       if (end.is_at_source()) return end;
       v = end.point.element;
@@ -132,11 +134,11 @@ private:
 
   static constexpr double nearby = Path_goals<FT>::nearby;
 
-  template <class Legs>
-  static const typename Legs::Leg* known_leg(const Legs& legs, Index v)
+  template <class Suffix_cache>
+  static const typename Suffix_cache::Suffix* known_suffix(const Suffix_cache& suffixes, Index v)
   {
-    if constexpr (Legs::keeps) return v == no_index ? nullptr : legs.find(v);
-    else return (void)legs, (void)v, nullptr;
+    if constexpr (Suffix_cache::keeps) return v == no_index ? nullptr : suffixes.find(v);
+    else return (void)suffixes, (void)v, nullptr;
   }
 
   // Follows a straight part of the path to the source, to the pseudo-source, or to a vertex that is on the path up to rounding

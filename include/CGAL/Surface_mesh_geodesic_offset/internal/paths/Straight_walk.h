@@ -39,7 +39,7 @@ public:
   {
   }
 
-  // The same with the direction of the way, a vector of any length.
+  // Overload with the direction of the way, a vector of any length.
   Straight_walk(const Unfolded_mesh<FT>& mesh, Index h, const Point& from, const Point& goal, const Point& direction)
     : m_mesh(&mesh), m_position(from), m_goal(goal), m_direction_of_way(direction)
   {

@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/radical_numbers/Radical_intervals.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/radical_numbers/Multiprecision_interval.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/radical_numbers/Radical_sum.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/radical_numbers/Radical_tower.h>
 

@@ -15,6 +15,7 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
+#include <CGAL/Surface_mesh_geodesic_offset/internal/radical_numbers/Double_interval.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/radical_numbers/Radical_node.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/radical_numbers/Radical_sum.h>
 

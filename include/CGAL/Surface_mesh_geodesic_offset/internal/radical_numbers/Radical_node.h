@@ -12,8 +12,9 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/radical_numbers/Core_numbers.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/radical_numbers/Radical_intervals.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/radical_numbers/core_numbers.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/radical_numbers/Double_interval.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/radical_numbers/Multiprecision_interval.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/radical_numbers/Radical_field.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/radical_numbers/Radical_sum.h>
 

@@ -18,7 +18,8 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/radical_numbers/Radical_core.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/radical_numbers/Radical_from_core.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/radical_numbers/Radical_to_core.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/radical_numbers/Radical_expression.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/radical_numbers/Radical_node.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/radical_numbers/Radical_sign.h>

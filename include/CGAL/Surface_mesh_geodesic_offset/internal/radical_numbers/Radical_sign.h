@@ -10,8 +10,9 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
+#include <CGAL/Surface_mesh_geodesic_offset/internal/radical_numbers/Double_interval.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/radical_numbers/Radical_bound.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/radical_numbers/Radical_core.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/radical_numbers/Radical_to_core.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/radical_numbers/Radical_expression.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/radical_numbers/Radical_field.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/radical_numbers/Radical_identity.h>

@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Chord_tolerance.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/curves/chord_tolerance.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/splitting/Split_piece.h>
 
 #include <CGAL/number_utils.h>

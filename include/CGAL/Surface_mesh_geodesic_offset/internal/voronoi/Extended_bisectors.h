@@ -11,7 +11,7 @@
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/graded/Extended_field.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/graded/Points_of_surface.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Voronoi_extraction.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/voronoi_extraction.h>
 
 #include <cstddef>
 #include <limits>

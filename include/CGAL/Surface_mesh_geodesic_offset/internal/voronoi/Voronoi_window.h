@@ -441,7 +441,8 @@ NT least_distance_from(Index label, const std::vector<Voronoi_window<NT>>& windo
   return result;
 }
 
-// The same, as if no cone ended at a common ray.
+// Least length of the paths through the chords of the windows with a label, also where a common ray ends their cones; infinite if
+// there are none.
 template <class NT>
 NT least_path_length_from(Index label, const std::vector<Voronoi_window<NT>>& windows, const std::vector<unsigned>& chosen,
                           const Point_in_face<NT>& p)

@@ -15,7 +15,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Interval_filter.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Start_values.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window_checks.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/window_checks.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window_order.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Certain_overlap_split.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window_bisector.h>

@@ -8,7 +8,7 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/memory/Prefetch.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/memory/prefetch.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Front_parts.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window_arena.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window.h>

@@ -4,8 +4,8 @@
 // Debug mode of certified bounds, with CGAL_GEODESIC_OFFSET_CHECK_CERTIFICATES: asserts each statement of the error
 // analysis with 200 bits for each window. Throws Certificate_error if a statement does not hold.
 
-#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CERTIFIED_CERTIFICATE_CHECK_H
-#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CERTIFIED_CERTIFICATE_CHECK_H
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CERTIFIED_CERTIFICATE_CHECKS_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CERTIFIED_CERTIFICATE_CHECKS_H
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 

@@ -3,8 +3,8 @@
 //
 // Points of one circle, counterclockwise: how far one is ahead of another, and the point in the middle.
 
-#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_CIRCLE_POINTS_H
-#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_CIRCLE_POINTS_H
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CURVES_CIRCLE_POINTS_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CURVES_CIRCLE_POINTS_H
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 

@@ -1,10 +1,10 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The layout of faces in the plane, from the points of their vertices or from the lengths of their edges.
+// Lays faces out in the plane, from the lengths of their edges.
 
-#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_MESH_FACE_LAYOUT_H
-#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_MESH_FACE_LAYOUT_H
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_MESH_LAYOUT_BY_LENGTHS_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_MESH_LAYOUT_BY_LENGTHS_H
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
@@ -21,35 +21,7 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// A layout has a function functor(), whose result is called with a face, its vertices, and the lengths and apices to be set; see
-// SurfaceMeshGeodesicOffsetTraits::Construct_apices_2. Lengths and apices are 0 before.
-
-template <class Traits>
-class Layout_by_points
-{
-public:
-  typedef typename Traits::FT FT;
-
-  // points: of the vertices
-  Layout_by_points(const std::vector<typename Traits::Point_3>& points, const Traits& traits)
-    : m_points(points), m_traits(traits)
-  {
-  }
-
-  auto functor() const
-  {
-    return [&points = m_points,
-            construct_apices =
-              m_traits.construct_apices_2_object()](Index, const Index(&v)[3], FT(&length)[3], FT(&x)[3], FT(&y)[3]) {
-      construct_apices(points[v[0]], points[v[1]], points[v[2]], length, x, y);
-    };
-  }
-
-private:
-  const std::vector<typename Traits::Point_3>& m_points;
-  const Traits& m_traits;
-};
-
+// Has a function functor(), as Layout_by_points.
 template <class FT_>
 class Layout_by_lengths
 {

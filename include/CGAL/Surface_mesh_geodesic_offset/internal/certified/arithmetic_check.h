@@ -9,7 +9,7 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Double_arithmetic.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/double_arithmetic.h>
 
 #include <limits>
 #include <stdexcept>

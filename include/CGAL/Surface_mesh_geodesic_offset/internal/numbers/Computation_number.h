@@ -3,8 +3,8 @@
 //
 // The number type of the computation, which may differ from that of the user's kernel, and conversions between the two.
 
-#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_NUMBERS_COMPUTATION_H
-#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_NUMBERS_COMPUTATION_H
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_NUMBERS_COMPUTATION_NUMBER_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_NUMBERS_COMPUTATION_NUMBER_H
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 

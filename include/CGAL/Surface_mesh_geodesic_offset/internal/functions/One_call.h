@@ -3,18 +3,18 @@
 //
 // One call of a free function: its mesh, sources and build.
 
-#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_ONE_CALL_H
-#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_ONE_CALL_H
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FUNCTIONS_ONE_CALL_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FUNCTIONS_ONE_CALL_H
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/Geodesic_mesh_type.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Geodesic_build.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/Statistics_report.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/statistics_report.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/graded/Graded_distances.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Source_argument.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Source_classification.h>
-#include <CGAL/Surface_mesh_geodesic_offset/named_parameters.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/sources/source_classification.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/parameters/named_parameters.h>
 
 #include <memory>
 

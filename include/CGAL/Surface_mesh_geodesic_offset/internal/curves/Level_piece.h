@@ -3,13 +3,13 @@
 //
 // A piece of an offset curve.
 
-#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_LEVEL_PIECE_H
-#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_LEVEL_PIECE_H
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CURVES_LEVEL_PIECE_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CURVES_LEVEL_PIECE_H
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Face_frame.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Circle_points.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/curves/circle_points.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Face_window.h>
 
 #include <algorithm>

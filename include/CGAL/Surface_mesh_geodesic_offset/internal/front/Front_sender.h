@@ -4,8 +4,8 @@
 // Messages between the parts of the front. Each part writes into its own boxes in one round; in the next round, each recipient
 // reads its boxes in the order of the parts. So the order does not depend on the assignment of parts to threads.
 
-#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_FRONT_MESSAGES_H
-#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_FRONT_MESSAGES_H
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_FRONT_SENDER_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_FRONT_SENDER_H
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
