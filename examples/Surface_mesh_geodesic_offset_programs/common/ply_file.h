@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Grammar of .ply files: header, and rows of elements, as text or in either binary format.
+// Not CGAL's reader (5.5): it crashes if coordinates have an integer type, and does not check the indices of faces.
 
 #ifndef GEODESIC_OFFSET_PLY_FILE_H
 #define GEODESIC_OFFSET_PLY_FILE_H

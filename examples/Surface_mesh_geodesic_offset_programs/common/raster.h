@@ -3,6 +3,7 @@
 
 // Strip of the picture, with several samples per pixel in each direction, and depths. Pictures are drawn strip by strip:
 // the samples of a whole picture would need more memory than the mesh.
+// Not a library: CGAL draws on a display, with Qt and OpenGL; Boost.GIL has images and files, but no triangles with depths.
 
 #ifndef GEODESIC_OFFSET_RASTER_H
 #define GEODESIC_OFFSET_RASTER_H

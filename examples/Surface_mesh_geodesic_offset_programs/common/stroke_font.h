@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Characters of numbers as strokes, for the legend of the picture.
+// Not a library: Boost.GIL and libpng have no text, and FreeType would need a font file for these 14 characters.
 
 #ifndef GEODESIC_OFFSET_STROKE_FONT_H
 #define GEODESIC_OFFSET_STROKE_FONT_H

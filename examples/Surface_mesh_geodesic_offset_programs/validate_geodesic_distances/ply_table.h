@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Distances as a vertex property of a PLY file.
+// Not CGAL::IO::read_PLY_with_properties() (5.5): it reads a missing property as zeros, crashes if the property has an integer
+// type, and rejects text files with infinite distances, those of vertices that no path reaches.
 
 #ifndef VALIDATE_GEODESIC_DISTANCES_PLY_TABLE_H
 #define VALIDATE_GEODESIC_DISTANCES_PLY_TABLE_H
