@@ -7,7 +7,7 @@
 #ifndef GEODESIC_OFFSET_TEST_CORPUS_RUN_H
 #define GEODESIC_OFFSET_TEST_CORPUS_RUN_H
 
-#include "../../examples/Surface_mesh_geodesic_offset/geodesic_offset/mesh_input.h"
+#include "common/mesh_input.h"
 #include "isolated_run.h"
 #include "offset_tools.h"
 #include "perturbed_meshes.h"

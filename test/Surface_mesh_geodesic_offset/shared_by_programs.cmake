@@ -3,6 +3,8 @@
 
 # Libraries and functions for the programs of the tests and of the benchmarks. Each library is compiled once.
 
+include_guard(GLOBAL)
+
 # The package, and headers that most of the tests include, precompiled: 7 s less per translation unit. With TBB, as one
 # precompiled header serves only files with the same definitions.
 file(WRITE "${PROJECT_BINARY_DIR}/headers.cpp" "")

@@ -6,7 +6,7 @@
 //
 //   test_program_files GEODESIC_OFFSET VALIDATE_GEODESIC_DISTANCES
 
-#include "../../examples/Surface_mesh_geodesic_offset/geodesic_offset/output_file.h"
+#include "common/output_file.h"
 #include "fuzz/mutation_run.h"
 #include "generated_meshes.h"
 #include "program_runner.h"

@@ -6,10 +6,10 @@
 #ifndef GEODESIC_OFFSET_BENCHMARK_EXPERIMENT_H
 #define GEODESIC_OFFSET_BENCHMARK_EXPERIMENT_H
 
-#include "../../../examples/Surface_mesh_geodesic_offset/geodesic_offset/face_distances.h"
-#include "../../../examples/Surface_mesh_geodesic_offset/geodesic_offset/picture.h"
 #include "../Performance/initial_distances.h"
 #include "../Performance/wavy_torus.h"
+#include "common/face_distances.h"
+#include "common/picture.h"
 #include "indexed_png.h"
 #include "locations.h"
 

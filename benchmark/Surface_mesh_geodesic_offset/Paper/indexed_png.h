@@ -6,7 +6,7 @@
 #ifndef GEODESIC_OFFSET_BENCHMARK_INDEXED_PNG_H
 #define GEODESIC_OFFSET_BENCHMARK_INDEXED_PNG_H
 
-#include "../../../examples/Surface_mesh_geodesic_offset/geodesic_offset/picture.h"
+#include "common/picture.h"
 
 #include <png.h>
 

@@ -9,7 +9,7 @@
 //
 // The exit code is 1 if an offset of the package has a tolerance above 1e-11 of the diagonal, or if no mesh could be read.
 
-#include "../../../test/Surface_mesh_geodesic_offset/interpolated_offset.h"
+#include "interpolated_offset.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/bbox.h>

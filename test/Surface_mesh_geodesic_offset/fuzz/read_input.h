@@ -6,10 +6,10 @@
 #ifndef GEODESIC_OFFSET_TEST_READ_INPUT_H
 #define GEODESIC_OFFSET_TEST_READ_INPUT_H
 
-#include "../../../examples/Surface_mesh_geodesic_offset/geodesic_offset/polyline_file.h"
-#include "../../../examples/Surface_mesh_geodesic_offset/geodesic_offset/soup_reader.h"
-#include "../../../examples/Surface_mesh_geodesic_offset/validate_geodesic_distances/ply_table.h"
-#include "../../../examples/Surface_mesh_geodesic_offset/validate_geodesic_distances/text_table.h"
+#include "common/polyline_file.h"
+#include "common/soup_reader.h"
+#include "validate_geodesic_distances/ply_table.h"
+#include "validate_geodesic_distances/text_table.h"
 
 #include <cmath>
 #include <cstddef>

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // DXF document of AutoCAD 2000 (AC1015): polylines on layers, and the tables and objects that AutoCAD requires.
+// Not CGAL's Dxf_writer: its polylines are in the xy plane and have no arcs, and its files have no unit of length.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_IO_INTERNAL_DXF_DOCUMENT_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_IO_INTERNAL_DXF_DOCUMENT_H

@@ -1,0 +1,252 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Program for exact geodesic distances on a triangle mesh and exact geodesic offsets of curves. --help lists the options.
+// Exit codes: 0 success, 1 an error in something that the command line names (one line on stderr), 2 an error in the
+// command line itself. Outputs appear only if everything succeeded, with one exception: if curves are not planar, only the
+// drawings are missing.
+
+#include "common/common.h"
+#include "common/mesh_input.h"
+#include "common/output_file.h"
+#include "common/program_main.h"
+#include "common/sources.h"
+#include "common/version.h"
+#include "curve_files.h"
+#include "drawing.h"
+#include "field_output.h"
+#include "level_files.h"
+#include "levels.h"
+#include "offset_cutting.h"
+#include "offset_report.h"
+#include "options.h"
+#include "paths.h"
+#include "picture_output.h"
+#include "png_output.h"
+#include "progress.h"
+#include "reach.h"
+#include "split_output.h"
+#include "stats_output.h"
+#include "threads.h"
+#include "voronoi_output.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <iostream>
+#include <new>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace geodesic_offset {
+namespace {
+
+double chord_tolerance(const Options& options, const Mesh_input& input)
+{
+  return options.tolerance.value_or(1e-4 * input.bounding_box_diagonal());
+}
+
+Mesh_input load(const Options& options, Run_figures& figures, Progress& progress)
+{
+  const Stopwatch time;
+  progress.show("reading " + quoted(options.mesh));
+  Mesh_input input(options.mesh, options.stitch);
+  figures.vertices = input.mesh().number_of_vertices();
+  figures.faces = input.mesh().number_of_faces();
+  figures.load_seconds = time.seconds();
+  progress.line("mesh: " + counted(figures.vertices, "vertex", "vertices") + ", " + counted(figures.faces, "face"),
+                figures.load_seconds);
+  for(const std::string& remark : input.remarks()) progress.line("mesh: " + remark);
+  if(!input.warning().empty()) progress.warning(input.warning());
+  check_length("tolerance", options.tolerance, input.bounding_box_diagonal());
+  return input;
+}
+
+void report(const Moved_points& moved, const Mesh_input& input, const std::string& kind, Progress& progress)
+{
+  if(const std::string remark = moved.remark(); !remark.empty()) progress.line(kind + ": " + remark);
+  if(const std::string far = moved.warning(input.bounding_box_diagonal()); !far.empty()) progress.warning(far);
+}
+
+Sources find_sources(const Mesh_input& input, const Options& options, Geodesic& geodesic, Progress& progress)
+{
+  Sources sources(input, options, geodesic.mesh());
+  sources.add_to(geodesic);
+  for(const std::string& remark : sources.remarks()) progress.line("sources: " + remark);
+  report(sources.moved_points(), input, "sources", progress);
+  if(options.maximum_distance && *options.maximum_distance <= sources.smallest_start_value())
+    throw Input_error("--maximum-distance " + short_number(*options.maximum_distance) +
+                      " leaves no distances: the smallest --start-value is " + short_number(sources.smallest_start_value()));
+  if(const std::string useless = useless_side(options, sources); !useless.empty()) progress.warning(useless);
+  return sources;
+}
+
+// Computes the levels, and reports their number before the long computation.
+template <class Concurrency_tag>
+Levels plan_levels(const Mesh_input& input, const Sources& sources, Geodesic& geodesic, const Options& options,
+                   Progress& progress)
+{
+  const auto exact_reach = [&] {
+    geodesic.build(CGAL::parameters::compute_largest_distance(true).concurrency_tag(Concurrency_tag()));
+    return geodesic.largest_distance();
+  };
+  Levels levels(
+    options, input.bounding_box_diagonal(), [&] { return bound_of_reach(input.mesh(), sources); }, exact_reach);
+  if(!levels.empty())
+    progress.line("offsets: at " + std::string(levels.is_open_ended() ? "no more than " : "") +
+                  counted(levels.size(), "distance"));
+  return levels;
+}
+
+// Results of the first build; the picture may need another one.
+struct Solution
+{
+  Offsets offsets;
+  Geodesic::Statistics statistics;
+  File_field field;
+};
+
+template <class Concurrency_tag>
+Solution solve(const Mesh_input& input, const Sources& sources, const Levels& levels, Geodesic& geodesic,
+               const Options& options, Output_files& files, Run_figures& figures, Progress& progress)
+{
+  Drawing_check drawing(options.outputs, input.mesh(), input.bounding_box_diagonal(), sources);
+  Level_files level_files(files, options, chord_tolerance(options, input));
+  const Stopwatch time;
+  Offsets offsets = build_and_cut<Concurrency_tag>(geodesic, sources, levels, options, chord_tolerance(options, input), drawing,
+                                                   level_files, progress);
+  level_files.finish();
+  File_field field(input, geodesic, !options.field.empty() && sources.has_polylines(), options.field_details,
+                   options.has_tolerance());
+  figures.largest_distance = geodesic.largest_distance();
+  figures.covered_distance = geodesic.covered_distance();
+
+  if(options.farthest_point)
+  {
+    const Point p = sources.point_of(geodesic.farthest_point().first);
+    figures.farthest_point = p;
+    progress.line("farthest point: " + full_number(p.x()) + ',' + full_number(p.y()) + ',' + full_number(p.z()) +
+                  " at distance " + full_number(figures.largest_distance));
+  }
+
+  const bool is_complete = figures.largest_distance < figures.covered_distance;
+  progress.line("distances: " + std::string(is_complete ? "up to " : "computed up to ") +
+                  short_number(figures.largest_distance) + ", " + counted(geodesic.statistics().windows_propagated, "window") +
+                  " propagated",
+                time.seconds());
+  if(options.has_tolerance())
+    progress.line("distances: smaller than the exact ones by at most " + short_number(geodesic.statistics().error_bound));
+  if(is_complete && field.number_of_unreached() != 0)
+    progress.line("distances: " + counted(field.number_of_unreached(), "vertex", "vertices") + " not reached");
+  if(!levels.empty())
+    progress.line("offsets: " + counted(offsets.number_of_curves(), "curve") + " at " +
+                  counted(offsets.levels.size(), "distance"));
+  for(const std::string& reason :
+      missing_offsets(options, levels, offsets.levels, sources.smallest_start_value(), figures.largest_distance))
+    progress.warning(reason);
+  return {std::move(offsets), geodesic.statistics(), std::move(field)};
+}
+
+Output_files::Report writing_bar(Progress& progress)
+{
+  return [&progress](const std::string& target, std::uintmax_t bytes, std::uintmax_t expected) {
+    char size[32];
+    std::snprintf(size, sizeof(size), "%.1f MB", static_cast<double>(bytes) / 1e6);
+    if(expected != 0)
+      progress.show("writing " + quoted(target), static_cast<double>(bytes) / static_cast<double>(expected), size);
+    else
+      progress.show("writing " + quoted(target), size);
+  };
+}
+
+template <class Concurrency_tag>
+void write(const Solution& solution, const Mesh_input& input, const Sources& sources, const Path_queries& queries,
+           Geodesic& geodesic, const Options& options, Output_files& files, const Run_figures& figures, Progress& progress)
+{
+  const std::vector<Offset_curve>& curves = solution.offsets.curves;
+  const Stopwatch time;
+  const std::string not_drawn = add_curve_files(files, options, solution.offsets, chord_tolerance(options, input));
+  if(!options.field.empty())
+    files.add(
+      options.field, [&](std::ostream& out) { write_field(out, options.field, input.soup(), solution.field); },
+      bytes_of_field(options.field, input.soup(), solution.field));
+  if(!options.split.empty())
+  {
+    progress.show("splitting " + quoted(options.mesh));
+    const Split_mesh split(input.mesh(), geodesic, curves, chord_tolerance(options, input));
+    files.add(
+      options.split, [&](std::ostream& out) { split.write(out); }, split.number_of_bytes());
+  }
+  if(!options.voronoi.empty())
+    add_voronoi_files(files, options.voronoi, input.mesh(), geodesic, chord_tolerance(options, input), progress);
+  const std::vector<Surface_path> paths = queries.paths(geodesic, progress);
+  for(const std::string& file : options.path_outputs)
+    files.add(file, [&](std::ostream& out) { write_paths(out, file, paths); });
+  if(!options.picture.empty())
+  {
+    const Image image =
+      picture_of<Concurrency_tag>(geodesic, input.mesh(), sources, options, curves, paths, figures.largest_distance, progress);
+    files.add(options.picture, [&](std::ostream& out) { write_png(out, image); });
+  }
+  if(!options.stats.empty())
+    files.add(options.stats, [&](std::ostream& out) {
+      write_stats(out, figures, solution.statistics, with_requested(solution.offsets.levels, options.distances));
+    });
+  files.commit();
+  for(const std::string& file : files.targets()) progress.line("wrote " + file);
+  progress.line("outputs written", time.seconds());
+  if(!not_drawn.empty()) throw Input_error(not_drawn);
+}
+
+template <class Concurrency_tag>
+void run(const Options& options, Concurrency_tag tag)
+{
+  Progress progress(options.quiet);
+  for(const std::string& file : options.files_written()) Output_files::check(file);
+
+  Run_figures figures;
+  figures.threads = number_of_working_threads(tag);
+  figures.has_tolerance = options.has_tolerance();
+  const Mesh_input input = load(options, figures, progress);
+
+  const Stopwatch setup_time;
+  progress.show("sources");
+  Geodesic geodesic(input.mesh(), CGAL::parameters::concurrency_tag(tag));
+  const Sources sources = find_sources(input, options, geodesic, progress);
+  const Path_queries queries(input, options, geodesic.mesh());
+  report(queries.moved_points(), input, "paths", progress);
+  figures.setup_seconds = setup_time.seconds();
+  progress.line("sources: " + counted(geodesic.number_of_sources(), "source"), figures.setup_seconds);
+
+  try
+  {
+    const Levels levels = plan_levels<Concurrency_tag>(input, sources, geodesic, options, progress);
+    Output_files files(writing_bar(progress));
+    const Solution solution = solve<Concurrency_tag>(input, sources, levels, geodesic, options, files, figures, progress);
+    write<Concurrency_tag>(solution, input, sources, queries, geodesic, options, files, figures, progress);
+  }
+  catch(const std::bad_alloc&)
+  {
+    throw Input_error(quoted(options.mesh) + ": out of memory; fewer distances, a --maximum-distance, fewer --threads or a "
+                                             "coarser mesh need less");
+  }
+}
+
+} // namespace
+} // namespace geodesic_offset
+
+int main(int argc, char* argv[])
+{
+  using namespace geodesic_offset;
+  return program_main("geodesic_offset", [&] {
+    const Options options = parse_options(argc, argv);
+    if(options.help)
+      print_help(std::cout);
+    else if(options.version)
+      print_version(std::cout, "geodesic_offset", has_threads ? ", with TBB" : ", without TBB");
+    else
+      with_threads(options.threads, [&](auto tag) { run(options, tag); });
+    return 0;
+  });
+}

@@ -1,0 +1,67 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Files of offsets that are written level by level during the computation.
+
+#ifndef GEODESIC_OFFSET_LEVEL_FILES_H
+#define GEODESIC_OFFSET_LEVEL_FILES_H
+
+#include "common/common.h"
+#include "common/output_file.h"
+#include "output_options.h"
+
+#include <CGAL/Surface_mesh_geodesic_offset/IO/Offset_level_writer.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace geodesic_offset {
+
+class Level_files
+{
+  struct File
+  {
+    std::string target;
+    std::unique_ptr<CGAL::IO::Offset_level_writer> writer;
+  };
+
+  Output_files& m_files;
+  std::vector<File> m_open;
+
+public:
+  static bool supports(const std::string& file)
+  {
+    return CGAL::IO::Offset_level_writer::supports(CGAL::IO::offset_file_format(file));
+  }
+
+  // Throws Input_error, here and below, if a file cannot be written.
+  Level_files(Output_files& files, const Output_options& options, double tolerance) : m_files(files)
+  {
+    for(const std::string& file : options.outputs)
+      if(supports(file))
+        m_open.push_back({file, std::make_unique<CGAL::IO::Offset_level_writer>(
+                                  files.open(file), CGAL::IO::offset_file_format(file), tolerance)});
+  }
+
+  // Writes the offsets of one distance.
+  void write(const std::vector<Offset_curve>& curves)
+  {
+    for(File& file : m_open)
+      if(!file.writer->write(curves)) m_files.check_stream(file.target);
+  }
+
+  void finish()
+  {
+    for(File& file : m_open)
+    {
+      file.writer->finish();
+      m_files.close(file.target);
+    }
+    m_open.clear();
+  }
+};
+
+} // namespace geodesic_offset
+
+#endif // GEODESIC_OFFSET_LEVEL_FILES_H

@@ -1,0 +1,209 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The main computation: propagation of distances, and cutting of offsets during the propagation.
+
+#ifndef GEODESIC_OFFSET_OFFSET_CUTTING_H
+#define GEODESIC_OFFSET_OFFSET_CUTTING_H
+
+#include "common/common.h"
+#include "common/numbers.h"
+#include "common/sources.h"
+#include "curve_files.h"
+#include "drawing.h"
+#include "level_files.h"
+#include "levels.h"
+#include "options.h"
+#include "progress.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace geodesic_offset {
+namespace internal {
+
+// Receives the offsets, which arrive by increasing distance: checks whether they can be written, writes those of files that are
+// written level by level, and keeps the others.
+class Offset_collector
+{
+  // 1.2 GB of text per file, at 60 bytes per point, and, for outputs that need all curves, up to 3 GB of memory, at 150 bytes
+  // per piece of a curve, each of which has at least one point
+  static constexpr std::size_t most_points = 20000000;
+
+  double m_tolerance;
+  bool m_is_only_drawn;
+  bool m_keeps_curves;
+  Drawing_check& m_drawing;
+  Level_files& m_files;
+  Offsets& m_offsets;
+  std::size_t m_levels = 0;
+  double m_distance = 0;
+
+public:
+  // is_only_drawn: all outputs are .svg files. keeps_curves: some output needs all curves at once.
+  Offset_collector(double tolerance, bool is_only_drawn, bool keeps_curves, Drawing_check& drawing, Level_files& files,
+                   Offsets& offsets)
+    : m_tolerance(tolerance), m_is_only_drawn(is_only_drawn), m_keeps_curves(keeps_curves), m_drawing(drawing), m_files(files),
+      m_offsets(offsets)
+  {
+  }
+  Offset_collector(const Offset_collector&) = delete;
+  Offset_collector& operator=(const Offset_collector&) = delete;
+
+  std::size_t number_of_levels() const { return m_levels; }
+  double distance() const { return m_distance; }
+
+  // Throws Usage_error and Input_error.
+  void operator()(double distance, std::vector<Offset_curve>&& curves)
+  {
+    ++m_levels;
+    m_distance = distance;
+    for(const Offset_curve& curve : curves)
+      for(const auto& piece : curve.pieces()) m_offsets.points += piece.number_of_chords(m_tolerance);
+    if(m_offsets.points > most_points)
+      throw Usage_error("the offsets up to distance " + short_number(distance) + " have more than " +
+                        std::to_string(most_points) + " points: use fewer distances, or a --tolerance larger than " +
+                        short_number(m_tolerance));
+    m_drawing.look_at(curves);
+    if(m_is_only_drawn && !m_drawing.problem().empty()) throw Input_error(m_drawing.problem());
+    if(!curves.empty()) m_offsets.levels.push_back(figures_of(distance, curves));
+    m_files.write(curves);
+    if(m_keeps_curves)
+      m_offsets.curves.insert(m_offsets.curves.end(), std::make_move_iterator(curves.begin()),
+                              std::make_move_iterator(curves.end()));
+  }
+
+private:
+  static Level_figures figures_of(double distance, const std::vector<Offset_curve>& curves)
+  {
+    Level_figures level;
+    level.distance = distance;
+    level.number = curves.size();
+    for(const Offset_curve& curve : curves)
+    {
+      level.closed += curve.is_closed() ? 1 : 0;
+      level.length += CGAL::to_double(curve.length());
+    }
+    return level;
+  }
+};
+
+// Progress bar of propagation and cutting.
+class Solving_bar
+{
+  const Levels& m_levels;
+  const Offset_collector& m_collector;
+  double m_limit;
+  Progress& m_progress;
+
+public:
+  Solving_bar(const Levels& levels, const Offset_collector& collector, double limit, Progress& progress)
+    : m_levels(levels), m_collector(collector), m_limit(limit), m_progress(progress)
+  {
+  }
+
+  // `done`: fraction of the surface that the front has passed. With a distance limit the last value is below 1.
+  bool operator()(double done) const
+  {
+    if(m_levels.empty())
+      m_progress.show("distances", done);
+    else
+      m_progress.show("distances and offsets", std::max(done, m_collector.distance() / m_limit),
+                      std::to_string(m_collector.number_of_levels()) +
+                        (m_levels.is_open_ended() ? "" : " of " + std::to_string(m_levels.size())) + " cut");
+    return true;
+  }
+};
+
+inline bool is_only_drawn(const Options& options)
+{
+  const std::vector<std::string> files = options.files_written();
+  return std::all_of(files.begin(), files.end(), [](const std::string& file) { return has_extension(file, ".svg"); });
+}
+
+// Whether some output needs all offsets at once.
+inline bool needs_all_curves(const Options& options)
+{
+  return !options.split.empty() || !options.picture.empty() ||
+         !std::all_of(options.outputs.begin(), options.outputs.end(), Level_files::supports);
+}
+
+// Throws Input_error that names the first polyline without inside.
+inline void check_insides(const Sources& sources)
+{
+  const std::vector<Surface_polyline>& polylines = sources.surface_polylines();
+  for(std::size_t i = 0; i < polylines.size(); ++i)
+  {
+    if(!polylines[i].is_closed) throw Input_error(sources.name_of_polyline(i) + ": an open polyline has no inside");
+    Geodesic alone(sources.mesh());
+    alone.add_source_polyline(polylines[i].locations, true);
+    try
+    {
+      alone.build_with_offset_curves_by_distance(
+        std::vector<double>(), [](double, std::vector<Offset_curve>&&) {},
+        CGAL::parameters::offset_side(CGAL::Offset_side::INSIDE).distance_limit(0.));
+    }
+    catch(const std::invalid_argument&)
+    {
+      throw Input_error(sources.name_of_polyline(i) + ": this curve does not divide the surface into an inside and an outside");
+    }
+  }
+}
+
+} // namespace internal
+
+// Limit of computed distances: unless the whole surface is needed, the largest offset distance.
+inline double distance_limit(const Options& options, const Levels& levels, const Sources& sources)
+{
+  const double maximum = options.maximum_distance.value_or(infinity);
+  if(levels.empty() || levels.is_open_ended() || options.needs_field() ||
+     levels.largest() <= sources.smallest_start_value()) // then there would be no distances at all
+    return maximum;
+  return std::min(maximum, levels.largest());
+}
+
+// Builds the distances and returns the offsets. Those of `files` are written.
+template <class Concurrency_tag>
+Offsets build_and_cut(Geodesic& geodesic, const Sources& sources, const Levels& levels, const Options& options,
+                      double tolerance, Drawing_check& drawing, Level_files& files, Progress& progress)
+{
+  Offsets offsets;
+  const double limit = distance_limit(options, levels, sources);
+  internal::Offset_collector collector(tolerance, internal::is_only_drawn(options), internal::needs_all_curves(options),
+                                       drawing, files, offsets);
+  const auto parameters =
+    CGAL::parameters::distance_limit(limit)
+      .compute_largest_distance(true)
+      .keep_windows(options.needs_windows())
+      .relative_tolerance(options.relative_tolerance)
+      .merging_tolerance(options.merging_tolerance)
+      .visitor(internal::Solving_bar(levels, collector, limit, progress));
+  if(levels.empty())
+  {
+    geodesic.build(parameters.concurrency_tag(Concurrency_tag()));
+    return offsets;
+  }
+  try
+  {
+    geodesic.build_with_offset_curves_by_distance(
+      levels.distances(), collector,
+      parameters.offset_side(options.selection.side).end_style(options.selection.end).concurrency_tag(Concurrency_tag()));
+  }
+  catch(const std::invalid_argument&)
+  {
+    // name polylines by their files instead of their numbers
+    if(options.selection.side == CGAL::Offset_side::INSIDE || options.selection.side == CGAL::Offset_side::OUTSIDE)
+      internal::check_insides(sources);
+    throw;
+  }
+  return offsets;
+}
+
+} // namespace geodesic_offset
+
+#endif // GEODESIC_OFFSET_OFFSET_CUTTING_H

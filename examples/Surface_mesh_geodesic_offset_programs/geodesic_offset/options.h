@@ -1,0 +1,119 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Options of the user, with all checks that need no file.
+
+#ifndef GEODESIC_OFFSET_OPTIONS_H
+#define GEODESIC_OFFSET_OPTIONS_H
+
+#include "common/command_line.h"
+#include "common/common.h"
+#include "common/file_identity.h"
+#include "common/polyline_file.h"
+#include "common/source_options.h"
+#include "level_options.h"
+#include "output_options.h"
+#include "query_options.h"
+#include "threads.h"
+
+#include <cstddef>
+#include <optional>
+#include <ostream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace geodesic_offset {
+
+struct Options : Source_options, Level_options, Query_options, Output_options
+{
+  std::optional<std::size_t> threads;
+  bool stitch = true;
+  bool quiet = false;
+  bool help = false;
+  bool version = false;
+
+  std::vector<std::string> files_written() const
+  {
+    std::vector<std::string> result = Output_options::files_written();
+    result.insert(result.end(), path_outputs.begin(), path_outputs.end());
+    return result;
+  }
+
+  // Whether distances are needed on the whole surface.
+  bool needs_field() const { return shows_field() || has_paths() || farthest_point; }
+
+  // Whether answers are needed for points inside faces.
+  bool needs_windows() const { return !split.empty() || !voronoi.empty() || !path_points.empty(); }
+};
+
+namespace internal {
+
+inline po::options_description options_description()
+{
+  po::options_description all("geodesic_offset MESH [sources] [levels] [queries] [outputs]\n\n"
+                              "Exact geodesic distances on a triangle mesh and exact geodesic offsets of curves.\n"
+                              "MESH is an .off, .obj, .ply or .stl file");
+  po::options_description others("Others");
+  others.add_options()("no-stitch", po::bool_switch(), "keep border edges at the same place apart")(
+    "threads", po::value<std::string>()->value_name("N"), "work with at most N threads (default: those of the machine)")(
+    "quiet", po::bool_switch(), "print only warnings and errors")("version", po::bool_switch(),
+                                                                  "print the version")("help", po::bool_switch(), "print this");
+  all.add(source_options_description())
+    .add(level_options_description())
+    .add(query_options_description())
+    .add(output_options_description())
+    .add(others);
+  return all;
+}
+
+// Throws Usage_error if distances within a tolerance are requested together with something that needs exact ones.
+inline void check_tolerances(const po::variables_map& map, const Options& options)
+{
+  const std::pair<const char*, bool> exact[] = {
+    {"split", !options.split.empty()},
+    {"path-from", map.count("path-from") != 0},
+    {"path-from-vertex", map.count("path-from-vertex") != 0},
+    {"farthest-point", options.farthest_point},
+    {"voronoi", !options.voronoi.empty()},
+    {"field-details", options.field_details}};
+  for(const char* tolerance : {"relative-tolerance", "merging-tolerance"})
+    for(const auto& [option, is_given] : exact)
+      if(map.count(tolerance) && is_given)
+        throw Usage_error("--" + std::string(tolerance) + " cannot be used with --" + option + ", which needs exact distances");
+}
+
+inline Options checked_options(const po::variables_map& map)
+{
+  Options options;
+  read_source_options(map, options);
+  read_level_options(map, options);
+  read_query_options(map, options);
+  read_output_options(map, options);
+  options.threads = number_of_threads(map);
+  options.stitch = !map["no-stitch"].as<bool>();
+  options.quiet = map["quiet"].as<bool>();
+  if(!options.split.empty() && !options.selection.is_everything())
+    throw Usage_error("--split needs the offsets on both sides with round ends, without --side and --end");
+  check_tolerances(map, options);
+  check_different_files(options.files_read(), options.files_written());
+  return options;
+}
+
+} // namespace internal
+
+inline void print_help(std::ostream& out) { out << internal::options_description() << '\n' << polyline_format_help(); }
+
+// Throws Usage_error.
+inline Options parse_options(int argc, const char* const* argv)
+{
+  const boost::program_options::variables_map map = internal::parsed_command_line(argc, argv, internal::options_description());
+  Options options;
+  options.help = map["help"].as<bool>();
+  options.version = map["version"].as<bool>();
+  return options.help || options.version ? options : internal::checked_options(map);
+}
+
+} // namespace geodesic_offset
+
+#endif // GEODESIC_OFFSET_OPTIONS_H

@@ -1,0 +1,154 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Options for the output files and their appearance.
+
+#ifndef GEODESIC_OFFSET_OUTPUT_OPTIONS_H
+#define GEODESIC_OFFSET_OUTPUT_OPTIONS_H
+
+#include "common/command_line.h"
+#include "common/common.h"
+
+#include <CGAL/Surface_mesh_geodesic_offset/IO/write_offset_curves.h>
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace geodesic_offset {
+
+struct Output_options
+{
+  std::vector<std::string> outputs; // offsets
+  std::string field;
+  bool field_details = false; // sources, sides and gradients in the field
+  std::string split; // the mesh split along the offsets
+  std::vector<std::string> voronoi; // curves between cells, or the mesh split along them
+  std::string picture;
+  std::string stats;
+  std::optional<double> tolerance;
+  CGAL::IO::Length_unit unit = CGAL::IO::Length_unit::NONE;
+  std::optional<std::array<double, 3>> view;
+  std::optional<std::array<double, 3>> up;
+
+  std::vector<std::string> files_written() const
+  {
+    std::vector<std::string> result = outputs;
+    result.insert(result.end(), voronoi.begin(), voronoi.end());
+    for(const std::string& file : {field, split, picture, stats})
+      if(!file.empty()) result.push_back(file);
+    return result;
+  }
+
+  // Whether an output contains the distances of the whole surface.
+  bool shows_field() const { return !field.empty() || !split.empty() || !voronoi.empty() || !picture.empty(); }
+};
+
+namespace internal {
+
+inline po::options_description output_options_description()
+{
+  const auto words = [](const char* name) { return po::value<Words>()->value_name(name); };
+  const auto word = [](const char* name) { return po::value<std::string>()->value_name(name); };
+  po::options_description outputs("Outputs");
+  outputs.add_options()("output", words("FILE"),
+                        "offsets as .polylines.txt, .vtk, .vtp, .obj, .csv, .dxf or, if they lie in one "
+                        "plane, .svg (repeatable)")(
+    "tolerance", word("T"), "chord tolerance of the written polylines (default: 1e-4 of the bounding-box diagonal)")(
+    "unit", word("UNIT"), "unit of the mesh, for .dxf and .svg: mm, cm, m or in (default: none)")(
+    "field", word("FILE"),
+    "the input's vertices with their distances, signed ones too if there are polylines, as .ply or "
+    ".vtk with its faces, or as .csv")("field-details", po::bool_switch(),
+                                       "with --field: nearest source, its side, and gradient, too")(
+    "split", word("FILE.ply"),
+    "the mesh split along the offsets, its faces with their band between the distances, the source "
+    "nearest to their centroid, and the colour of the band")(
+    "voronoi", words("FILE"),
+    "the curves between the cells of the sources as .polylines.txt or .vtk; or, as .ply, the mesh "
+    "split along them, its faces with their source and its colour (repeatable)")(
+    "picture", word("FILE.png"), "the mesh coloured by distance, with sources and offsets drawn on it")(
+    "view", word("X,Y,Z"), "direction from the mesh to the viewer of the picture")(
+    "up", word("X,Y,Z"), "direction that points up in the picture (default: 0,1,0)")("stats", word("FILE.json"),
+                                                                                     "sizes, times, windows, memory, curves");
+  return outputs;
+}
+
+inline CGAL::IO::Length_unit length_unit(const std::string& word)
+{
+  using CGAL::IO::Length_unit;
+  if(word == "mm") return Length_unit::MILLIMETER;
+  if(word == "cm") return Length_unit::CENTIMETER;
+  if(word == "m") return Length_unit::METER;
+  if(word == "in") return Length_unit::INCH;
+  throw Usage_error("--unit must be mm, cm, m or in, not " + quoted(word));
+}
+
+inline void check_offset_format(const std::string& file)
+{
+  try
+  {
+    CGAL::IO::offset_file_format(file);
+  }
+  catch(const std::invalid_argument&)
+  {
+    throw Usage_error("--output " + quoted(file) + " must end in .polylines.txt, .vtk, .vtp, .obj, .csv, .dxf or .svg");
+  }
+}
+
+inline void check_extension(const char* option, const std::string& file, const char* extension)
+{
+  if(!file.empty() && !has_extension(file, extension))
+    throw Usage_error("--" + std::string(option) + ' ' + quoted(file) + " must end in " + extension);
+}
+
+inline void check_outputs(const po::variables_map& map, const Output_options& options)
+{
+  for(const std::string& output : options.outputs) check_offset_format(output);
+  if(!options.field.empty() && !has_extension(options.field, ".ply") && !has_extension(options.field, ".vtk") &&
+     !has_extension(options.field, ".csv"))
+    throw Usage_error("--field " + quoted(options.field) + " must end in .ply, .vtk or .csv");
+  if(options.field_details && options.field.empty()) throw Usage_error("--field-details needs --field");
+  check_extension("split", options.split, ".ply");
+  for(const std::string& file : options.voronoi)
+    if(!has_extension(file, ".polylines.txt") && !has_extension(file, ".vtk") && !has_extension(file, ".ply"))
+      throw Usage_error("--voronoi " + quoted(file) + " must end in .polylines.txt, .vtk or .ply");
+  if(!options.voronoi.empty() && map.count("maximum-distance"))
+    throw Usage_error("--voronoi needs all distances, without --maximum-distance");
+  check_extension("picture", options.picture, ".png");
+  check_extension("stats", options.stats, ".json");
+
+  for(const char* option : {"output", "split"})
+    if(map.count(option) && map.count("distance") == 0 && map.count("spacing") == 0)
+      throw Usage_error("--" + std::string(option) + " needs --distance or --spacing");
+  for(const char* option : {"view", "up"})
+    if(map.count(option) && options.picture.empty()) throw Usage_error("--" + std::string(option) + " needs --picture");
+  if(map.count("unit"))
+  {
+    bool has_unit = false;
+    for(const std::string& output : options.outputs)
+      has_unit = has_unit || has_extension(output, ".dxf") || has_extension(output, ".svg");
+    if(!has_unit) throw Usage_error("--unit needs an --output that ends in .dxf or .svg: other formats have no unit");
+  }
+}
+
+inline void read_output_options(const po::variables_map& map, Output_options& options)
+{
+  options.outputs = option_words(map, "output");
+  options.field = option_word(map, "field");
+  options.field_details = map["field-details"].as<bool>();
+  options.split = option_word(map, "split");
+  options.voronoi = option_words(map, "voronoi");
+  options.picture = option_word(map, "picture");
+  options.stats = option_word(map, "stats");
+  options.tolerance = optional_positive_number(map, "tolerance");
+  if(map.count("unit")) options.unit = length_unit(map["unit"].as<std::string>());
+  options.view = direction(map, "view");
+  options.up = direction(map, "up");
+  check_outputs(map, options);
+}
+
+} // namespace internal
+} // namespace geodesic_offset
+
+#endif // GEODESIC_OFFSET_OUTPUT_OPTIONS_H

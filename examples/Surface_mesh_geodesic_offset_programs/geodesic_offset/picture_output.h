@@ -1,0 +1,97 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// From a build to its picture.
+
+#ifndef GEODESIC_OFFSET_PICTURE_OUTPUT_H
+#define GEODESIC_OFFSET_PICTURE_OUTPUT_H
+
+#include "common/common.h"
+#include "common/face_distances.h"
+#include "common/picture.h"
+#include "common/sources.h"
+#include "common/view.h"
+#include "options.h"
+#include "paths.h"
+#include "progress.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <vector>
+
+namespace geodesic_offset {
+namespace internal {
+
+// 2 GB for a picture, at 40 bytes per window
+constexpr std::size_t most_kept_windows = 50000000;
+
+inline View view_of(const Options& options, const Mesh& mesh, const Sources& sources)
+{
+  const auto vector = [](const std::array<double, 3>& v) {
+    return View::normalized(Vector(v[0], v[1], v[2]) / std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])}));
+  };
+  const Vector up = options.up ? vector(*options.up) : Vector(0, 1, 0);
+  if(options.view) return View(vector(*options.view), up);
+  std::vector<Point> points = sources.points();
+  for(const Polyline& polyline : sources.polylines()) points.insert(points.end(), polyline.begin(), polyline.end());
+  return choose_view(mesh, points, up);
+}
+
+// If some faces are too large for interpolation, builds again with kept windows unless the last build has them.
+template <class Concurrency_tag>
+Face_distances face_distances(Geodesic& geodesic, const Mesh& mesh, const Options& options, double largest, Progress& progress)
+{
+  Face_distances distances(mesh, geodesic, largest);
+  if(!distances.need_windows() || options.needs_windows()) return distances;
+  if(geodesic.statistics().windows_propagated > most_kept_windows)
+  {
+    progress.warning("the colours of " + quoted(options.picture) +
+                     " are interpolated inside the large faces of the mesh: "
+                     "with " +
+                     std::to_string(geodesic.statistics().windows_propagated) +
+                     " windows, exact ones would take too much memory");
+    distances.interpolate_everywhere();
+    return distances;
+  }
+  const auto show = [&](double done) {
+    progress.show("distances inside faces", done);
+    return true;
+  };
+  geodesic.build(CGAL::parameters::distance_limit(options.maximum_distance.value_or(infinity))
+                   .keep_windows(true)
+                   .relative_tolerance(options.relative_tolerance)
+                   .merging_tolerance(options.merging_tolerance)
+                   .visitor(show)
+                   .concurrency_tag(Concurrency_tag()));
+  return distances;
+}
+
+} // namespace internal
+
+// `largest`: the largest distance of the surface. Precondition: the last build has all requested distances. May replace it
+// by another build with the same distances.
+template <class Concurrency_tag>
+Image picture_of(Geodesic& geodesic, const Mesh& mesh, const Sources& sources, const Options& options,
+                 const std::vector<Offset_curve>& curves, const std::vector<Surface_path>& paths, double largest,
+                 Progress& progress)
+{
+  const Face_distances distances = internal::face_distances<Concurrency_tag>(geodesic, mesh, options, largest, progress);
+  Picture picture(mesh, distances, internal::view_of(options, mesh, sources));
+  for(const Point& point : sources.points()) picture.add_source(point);
+  for(const Polyline& polyline : sources.polylines()) picture.add_source(polyline);
+  for(const Offset_curve& curve : curves)
+  {
+    Polyline polyline;
+    curve.points(picture.chord_tolerance(), std::back_inserter(polyline));
+    picture.add_offset(polyline);
+  }
+  for(const Surface_path& path : paths) picture.add_path(path.points);
+  return picture.render([&](double done) { progress.show("picture", done); });
+}
+
+} // namespace geodesic_offset
+
+#endif // GEODESIC_OFFSET_PICTURE_OUTPUT_H

@@ -1,0 +1,106 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Figures of a run as JSON.
+
+#ifndef GEODESIC_OFFSET_STATS_OUTPUT_H
+#define GEODESIC_OFFSET_STATS_OUTPUT_H
+
+#include "common/common.h"
+#include "curve_files.h"
+
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <ostream>
+#include <vector>
+
+namespace geodesic_offset {
+
+struct Run_figures
+{
+  std::size_t vertices = 0;
+  std::size_t faces = 0;
+  std::size_t threads = 1;
+  double load_seconds = 0;
+  double setup_seconds = 0;
+  double largest_distance = 0; // of the surface, up to the covered distance
+  double covered_distance = infinity; // all distances up to it are known
+  std::optional<Point> farthest_point; // if requested
+  bool has_tolerance = false; // whether distances may be smaller than the exact ones
+};
+
+// The figures with those of requested distances without curves, in increasing order.
+inline std::vector<Level_figures> with_requested(std::vector<Level_figures> levels, const std::vector<double>& distances)
+{
+  const auto is_less = [](const Level_figures& a, const Level_figures& b) { return a.distance < b.distance; };
+  for(double distance : distances)
+  {
+    Level_figures level;
+    level.distance = distance;
+    const auto it = std::lower_bound(levels.begin(), levels.end(), level, is_less);
+    if(it == levels.end() || it->distance != distance) levels.insert(it, level);
+  }
+  return levels;
+}
+
+inline std::uintmax_t peak_rss_bytes()
+{
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+#if defined(__APPLE__)
+  return static_cast<std::uintmax_t>(usage.ru_maxrss);
+#else
+  return static_cast<std::uintmax_t>(usage.ru_maxrss) * 1024;
+#endif
+}
+
+inline void write_stats(std::ostream& out, const Run_figures& run, const Geodesic::Statistics& solver,
+                        const std::vector<Level_figures>& levels)
+{
+  out.precision(std::numeric_limits<double>::max_digits10);
+  out << "{\n"
+      << "  \"vertices\": " << run.vertices << ",\n"
+      << "  \"faces\": " << run.faces << ",\n"
+      << "  \"threads\": " << run.threads << ",\n"
+      << "  \"load_seconds\": " << run.load_seconds << ",\n"
+      << "  \"setup_seconds\": " << run.setup_seconds << ",\n"
+      << "  \"solve_seconds\": " << solver.propagation_seconds << ",\n"
+      << "  \"offset_seconds\": " << solver.offset_seconds << ",\n"
+      << "  \"windows_created\": " << solver.windows_created << ",\n"
+      << "  \"windows_propagated\": " << solver.windows_propagated << ",\n"
+      << "  \"windows_peak\": " << solver.windows_peak << ",\n"
+      << "  \"pieces_peak\": " << solver.pieces_peak << ",\n"
+      << "  \"pieces\": " << solver.pieces << ",\n"
+      << "  \"peak_rss_bytes\": " << peak_rss_bytes() << ",\n"
+      << "  \"largest_distance\": " << run.largest_distance << ",\n"
+      << "  \"covered_distance\": ";
+  if(run.covered_distance < infinity)
+    out << run.covered_distance;
+  else
+    out << "null";
+  out << ",\n";
+  if(run.has_tolerance)
+    out << "  \"error_bound\": " << solver.error_bound << ",\n"
+        << "  \"relative_error_bound\": " << solver.relative_error_bound << ",\n";
+  if(run.farthest_point)
+    out << "  \"farthest_point\": [" << run.farthest_point->x() << ", " << run.farthest_point->y() << ", "
+        << run.farthest_point->z() << "],\n";
+  out << "  \"curves\": [";
+  const char* separator = "\n";
+  for(const Level_figures& level : levels)
+  {
+    out << separator << "    {\"distance\": " << level.distance << ", \"number\": " << level.number
+        << ", \"closed\": " << level.closed << ", \"length\": " << level.length << '}';
+    separator = ",\n";
+  }
+  out << (levels.empty() ? "]\n}\n" : "\n  ]\n}\n");
+}
+
+} // namespace geodesic_offset
+
+#endif // GEODESIC_OFFSET_STATS_OUTPUT_H
