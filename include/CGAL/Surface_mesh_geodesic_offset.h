@@ -239,7 +239,8 @@ public:
 
   /// adds each point of a range as a source of its own.
   /// \return the ids of the sources, in the order of the range
-  /// \tparam LocationRange a model of `ConstRange` with `vertex_descriptor` or `Face_location` as value type
+  /// \tparam LocationRange a model of `ConstRange` with `vertex_descriptor`, `Face_location`, or a location with the coordinates of
+  ///         another kernel, as value type
   /// \param locations the points
   /// \param np as for a vertex; the start value is that of all points
   /// \throws std::invalid_argument as `add_source_point()` does; no point has been added then.
@@ -248,14 +249,15 @@ public:
                                              const NamedParameters& np = parameters::default_values())
   {
     Source_set set;
-    for (const auto& l : locations) Geodesic_offset::internal::add_point<FT>(set, l, np);
+    for (const auto& l : locations) Geodesic_offset::internal::add_point(set, l, np);
     return add_sources(set);
   }
 
   /// adds a polyline whose vertices lie anywhere on the surface, and each of whose segments is straight within one closed
   /// face. The polyline may cross itself and other sources. Repeated points are allowed; a polyline of one point is a point.
   ///
-  /// \tparam FaceLocationRange a model of `ConstRange` with `Face_location` as value type
+  /// \tparam FaceLocationRange a model of `ConstRange` with `Face_location`, or a location with the coordinates of another kernel,
+  ///         as value type
   /// \param locations the vertices of the polyline
   /// \param closed whether the last point is joined to the first one
   /// \param np as for a vertex
@@ -675,6 +677,20 @@ public:
   /// Overload with a tolerance.
   Face_location locate(const Point_3& p, const FT& tolerance) const { return m_mesh.locate(p, tolerance); }
 
+  /// Overload for a point of another kernel.
+  template <class Point, class = std::enable_if_t<Geodesic_offset::internal::is_point_in_space<Point>>>
+  Face_location locate(const Point& p) const
+  {
+    return m_mesh.locate(p);
+  }
+
+  /// Overload for a point of another kernel, with a tolerance.
+  template <class Point, class = std::enable_if_t<Geodesic_offset::internal::is_point_in_space<Point>>>
+  Face_location locate(const Point& p, const FT& tolerance) const
+  {
+    return m_mesh.locate(p, tolerance);
+  }
+
   /// forwards to `Geodesic_mesh::locate()`.
   std::optional<Face_location> locate(const Ray_3& r) const { return m_mesh.locate(r); }
 
@@ -686,6 +702,20 @@ public:
 
   /// Overload with a tolerance.
   std::pair<Face_location, FT> locate_with_distance(const Point_3& p, const FT& tolerance) const
+  {
+    return m_mesh.locate_with_distance(p, tolerance);
+  }
+
+  /// Overload for a point of another kernel.
+  template <class Point, class = std::enable_if_t<Geodesic_offset::internal::is_point_in_space<Point>>>
+  std::pair<Face_location, FT> locate_with_distance(const Point& p) const
+  {
+    return m_mesh.locate_with_distance(p);
+  }
+
+  /// Overload for a point of another kernel, with a tolerance.
+  template <class Point, class = std::enable_if_t<Geodesic_offset::internal::is_point_in_space<Point>>>
+  std::pair<Face_location, FT> locate_with_distance(const Point& p, const FT& tolerance) const
   {
     return m_mesh.locate_with_distance(p, tolerance);
   }

@@ -12,6 +12,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Geodesic_mesh_data.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Normal_angle.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Own_maps.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Point_conversion.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Polyline_joining.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Plane_cutting.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/workers/Concurrency.h>
@@ -196,8 +197,8 @@ public:
   /// meshes. A call with more than a hundred points builds the tree at once, in the time of some hundred searches. Results do not
   /// depend on the tree: of several faces at the same distance, the location is in the face with the lowest index. A
   /// location whose distance from a vertex or an edge is at most `tolerance`, a length that is not negative, is exactly there;
-  /// the default tolerance is the round-off of the coordinates. If the mesh has no points, but lengths, these functions throw
-  /// `std::logic_error`.
+  /// the default tolerance is the round-off of the coordinates. Points may belong to another kernel than that of the traits: their
+  /// coordinates are converted. If the mesh has no points, but lengths, these functions throw `std::logic_error`.
   /// @{
 
   /// the location nearest to a point in space.
@@ -206,6 +207,19 @@ public:
   Face_location locate(const Point_3& p) const { return locate(p, data().locator().default_tolerance()); }
   /// Overload with a tolerance.
   Face_location locate(const Point_3& p, const FT& tolerance) const { return data().locator().locate(p, tolerance); }
+
+  /// Overload for a point of another kernel.
+  template <class Point, class = std::enable_if_t<Geodesic_offset::internal::is_point_in_space<Point>>>
+  Face_location locate(const Point& p) const
+  {
+    return locate(Geodesic_offset::internal::converted_point<Point_3, FT>(p));
+  }
+  /// Overload for a point of another kernel, with a tolerance.
+  template <class Point, class = std::enable_if_t<Geodesic_offset::internal::is_point_in_space<Point>>>
+  Face_location locate(const Point& p, const FT& tolerance) const
+  {
+    return locate(Geodesic_offset::internal::converted_point<Point_3, FT>(p), tolerance);
+  }
 
   /// the location nearest to a point in space, and the distance in space of the point from the location, in the units of the
   /// mesh's points. With a tolerance, the distance can exceed the distance from the surface by no more than the tolerance.
@@ -218,6 +232,19 @@ public:
   {
     const Face_location l = locate(p, tolerance);
     return {l, Geodesic_offset::internal::square_root<FT>((p - data().surface().point(l)).squared_length())};
+  }
+
+  /// Overload for a point of another kernel.
+  template <class Point, class = std::enable_if_t<Geodesic_offset::internal::is_point_in_space<Point>>>
+  std::pair<Face_location, FT> locate_with_distance(const Point& p) const
+  {
+    return locate_with_distance(Geodesic_offset::internal::converted_point<Point_3, FT>(p));
+  }
+  /// Overload for a point of another kernel, with a tolerance.
+  template <class Point, class = std::enable_if_t<Geodesic_offset::internal::is_point_in_space<Point>>>
+  std::pair<Face_location, FT> locate_with_distance(const Point& p, const FT& tolerance) const
+  {
+    return locate_with_distance(Geodesic_offset::internal::converted_point<Point_3, FT>(p), tolerance);
   }
 
   /// the location where a ray meets the surface first, if it does.
@@ -237,7 +264,7 @@ public:
   /// the polyline on the surface through the locations of points in space. Consecutive locations without a common face are
   /// joined by the shortest path on the surface. A location that repeats the one before it is left out. The time for a path
   /// depends on the number of faces that the path may pass, not on the size of the mesh.
-  /// \tparam PointRange a model of `ConstRange` with `Point_3` as value type
+  /// \tparam PointRange a model of `ConstRange` with `Point_3`, or a point of another kernel, as value type
   /// \param points the points
   /// \param closed whether the last point is joined to the first one. The range may repeat the first point at its end.
   /// \throws std::invalid_argument if the range is empty, or if there is no path from a point to the next one; and as
@@ -249,7 +276,7 @@ public:
   }
 
   /// the polyline of `locate_polyline()`, and the largest distance in space of a point from its location.
-  /// \tparam PointRange a model of `ConstRange` with `Point_3` as value type
+  /// \tparam PointRange a model of `ConstRange` with `Point_3`, or a point of another kernel, as value type
   /// \param points the points
   /// \param closed whether the last point is joined to the first one. The range may repeat the first point at its end.
   /// \throws std::invalid_argument as `locate_polyline()` does.
@@ -259,7 +286,7 @@ public:
     data().locator().expect(std::size_t(std::distance(std::begin(points), std::end(points))));
     std::vector<Face_location> locations;
     FT largest(0);
-    for (const Point_3& p : points)
+    for (const auto& p : points)
     {
       const std::pair<Face_location, FT> l = locate_with_distance(p);
       locations.push_back(l.first);
@@ -269,7 +296,8 @@ public:
   }
 
   /// the polyline on the surface through locations. Overload of `locate_polyline()` for points that are on the surface.
-  /// \tparam FaceLocationRange a model of `ConstRange` with `Face_location` as value type
+  /// \tparam FaceLocationRange a model of `ConstRange` with `Face_location`, or a location with the coordinates of another kernel,
+  ///         as value type
   template <class FaceLocationRange>
   Polyline join_polyline(const FaceLocationRange& locations, bool closed = false) const
   {
@@ -289,9 +317,9 @@ public:
       path.push_back(l);
       last = p;
     };
-    for (const Face_location& l : locations)
+    for (const auto& l : locations)
     {
-      add(l);
+      add(Geodesic_offset::internal::converted_location<FT>(l));
       ++i;
     }
     if (!last) throw std::invalid_argument("Surface_mesh_geodesic_offset: a polyline without points");

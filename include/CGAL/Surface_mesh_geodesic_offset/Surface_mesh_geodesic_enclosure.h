@@ -17,6 +17,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Source_classification.h>
 #include <CGAL/Surface_mesh_geodesic_offset/named_parameters.h>
 
+#include <array>
 #include <cstddef>
 #include <memory>
 #include <stdexcept>
@@ -69,6 +70,8 @@ public:
   typedef typename Mesh::vertex_descriptor vertex_descriptor;
   /// an edge of the mesh
   typedef typename Mesh::edge_descriptor edge_descriptor;
+  /// a face of the mesh
+  typedef typename Mesh::face_descriptor face_descriptor;
   /// a point of the surface
   typedef typename Mesh::Face_location Face_location;
   /// a polyline on the surface
@@ -127,6 +130,14 @@ public:
     return add_sources(set).front();
   }
 
+  /// Overload for a location with the coordinates of another kernel, which are converted.
+  template <class Coordinate, class NamedParameters = parameters::Default_named_parameters>
+  std::size_t add_source_point(const std::pair<face_descriptor, std::array<Coordinate, 3>>& location,
+                               const NamedParameters& np = parameters::default_values())
+  {
+    return add_source_point(Geodesic_offset::internal::converted_location<double>(location), np);
+  }
+
   /// adds each point of a range as a source of its own.
   /// \return the ids of the sources, in the order of the range
   template <class LocationRange, class NamedParameters = parameters::Default_named_parameters>
@@ -134,7 +145,7 @@ public:
                                              const NamedParameters& np = parameters::default_values())
   {
     Source_set set;
-    for (const auto& l : locations) Geodesic_offset::internal::add_point<double>(set, l, np);
+    for (const auto& l : locations) Geodesic_offset::internal::add_point(set, l, np);
     return add_sources(set);
   }
 

@@ -39,7 +39,7 @@ The time is that of `geodesic_distances()` with kept windows, and of `Geodesic_d
 \tparam Sources the type of the sources, see `sources`
 \tparam NamedParameters a sequence of named parameters
 \param tm the mesh, which must outlive the diagram
-\param sources the sources, in each form that `geodesic_distances()` accepts; the ids of cells are the indices in the range
+\param sources the sources, in each form that `geodesic_distances()` accepts; the cells have the ids of the sources
 \param np an optional sequence of named parameters among those listed below
 
 \cgalNamedParamsBegin

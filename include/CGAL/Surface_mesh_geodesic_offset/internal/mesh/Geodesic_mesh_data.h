@@ -9,11 +9,10 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Geodesic_surface.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Point_conversion.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Surface_locator.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/workers/Concurrency.h>
 #include <CGAL/Surface_mesh_geodesic_offset/named_parameters.h>
-
-#include <CGAL/NT_converter.h>
 
 #include <array>
 #include <memory>
@@ -25,18 +24,6 @@
 namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
-
-// The location with coordinates of type FT; the given object if it has these already.
-template <class FT, class Face, class Coordinate>
-decltype(auto) converted_location(const std::pair<Face, std::array<Coordinate, 3>>& l)
-{
-  if constexpr (std::is_same<FT, Coordinate>::value) return (l);
-  else
-  {
-    const CGAL::NT_converter<Coordinate, FT> convert{};
-    return std::pair<Face, std::array<FT, 3>>(l.first, {convert(l.second[0]), convert(l.second[1]), convert(l.second[2])});
-  }
-}
 
 // The map as the type that the class has for it.
 template <class Map, class Given>
