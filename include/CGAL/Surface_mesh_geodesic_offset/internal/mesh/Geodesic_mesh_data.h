@@ -76,14 +76,8 @@ struct Geodesic_mesh_data
 
   const Unfolded_mesh<Number>& unfolded() const { return surface().unfolded; }
 
-  Located_point classified(vertex_descriptor v) const
-  {
-    const bool is_null = v == Graph_traits::null_vertex();
-    const Index i = is_null ? no_index : surface().index_of(v);
-    if (!(i < unfolded().number_of_vertices()))
-      throw std::invalid_argument("Surface_mesh_geodesic_offset: a vertex that is not of this mesh");
-    return Surface_point::at_vertex(i);
-  }
+  // \throws std::invalid_argument if the vertex is null, removed or of another mesh
+  Located_point classified(vertex_descriptor v) const { return Surface_point::at_vertex(surface().checked_index_of(v)); }
 
   // Coordinates of another number type are converted.
   template <class Coordinate>
