@@ -41,6 +41,7 @@ typedef Computing_traits_of<Own_traits> Computing_traits_2;
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_geodesic_offset.h>
+#include <CGAL/Surface_mesh_geodesic_offset/Surface_mesh_geodesic_enclosure.h>
 
 #include <iterator>
 #include <vector>
@@ -52,7 +53,8 @@ typedef CGAL::Surface_mesh_geodesic_offset<CGAL::Surface_mesh_geodesic_offset_tr
 namespace parameters = CGAL::parameters;
 
 // Each call has a message of its own.
-void refused(const Mesh& mesh, Geodesic& geodesic, std::vector<Geodesic::Offset_curve>& curves)
+void refused(const Mesh& mesh, Geodesic& geodesic, std::vector<Geodesic::Offset_curve>& curves,
+             Mesh::Property_map<Mesh::Edge_index, double> lengths)
 {
   // of another function of CGAL, at the end of a chain
   geodesic.build(parameters::keep_windows(true).number_of_iterations(3));
@@ -65,6 +67,9 @@ void refused(const Mesh& mesh, Geodesic& geodesic, std::vector<Geodesic::Offset_
   Geodesic refused(mesh, parameters::keep_windows(true));
   geodesic.update(parameters::visitor([](double) { return true; }).distance_limit(1.));
   geodesic.offset_curves(1., std::back_inserter(curves), parameters::distance_limit(1.));
+  // of a mesh without points, for an enclosure; of a build with a limit
+  CGAL::Surface_mesh_geodesic_enclosure<Geodesic::Traits> enclosure(mesh, parameters::edge_length_map(lengths));
+  enclosure.build(parameters::distance_limit(1.));
 }
 
 #else

@@ -90,12 +90,15 @@ public:
 
   /// sets up the mesh.
   /// \param tm the mesh
-  /// \param np an optional sequence of named parameters, those of `Geodesic_mesh::Geodesic_mesh()` except for `edge_length_map`
+  /// \param np an optional sequence of named parameters, those of `Geodesic_mesh::Geodesic_mesh()` except for `edge_length_map`,
+  ///        with which the call does not compile: the bounds need points
   /// \throws std::invalid_argument and std::length_error as `Geodesic_mesh::Geodesic_mesh()`
   template <class NamedParameters = parameters::Default_named_parameters>
   explicit Surface_mesh_geodesic_enclosure(const Triangle_mesh& tm, const NamedParameters& np = parameters::default_values())
     : m_mesh(tm, np)
   {
+    namespace internal = Geodesic_offset::internal;
+    internal::check_named_parameters<internal::Mesh_with_points_parameters, NamedParameters>();
   }
 
   /// shares a mesh that is set up.
@@ -192,10 +195,10 @@ public:
   /// computes the bounds for the sources added so far. Without any source, all points are at infinity. In the worst case
   /// O(n^2) windows are propagated; on most meshes their number grows like n^1.5. Runs on the calling thread.
   /// \param np an optional named parameter, `keep_windows(b)`: whether the windows are kept for queries at points other than
-  ///        vertices; some 100 bytes per window stay in memory then. The bounds are always those of the whole surface, as
-  ///        tight as the algorithm gives them: other parameters, such as a distance limit or a tolerance, are ignored.
-  /// \throws std::logic_error if the rounding mode is not to nearest, or the compiler has rearranged floating point
-  ///         operations
+  ///        vertices; some 100 bytes per window stay in memory then. Other parameters, such as a distance limit or a
+  ///        tolerance, do not compile: the bounds are always those of the whole surface, as tight as the algorithm gives them.
+  /// \throws std::logic_error if the rounding mode is not to nearest, if the compiler has rearranged floating point
+  ///         operations, or if the mesh was set up with lengths instead of points
   /// \throws std::runtime_error if thousands of windows reach one edge of a small mesh: in needle faces thinner than about
   ///         1e-4, bounds may not decide which of two windows is nearer, so that the number of windows doubles in each face;
   ///         or if a path may cross 2^16 faces without a bend, or a distance is uncertain by more than a quarter of the mean

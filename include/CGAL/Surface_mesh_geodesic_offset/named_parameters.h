@@ -33,9 +33,10 @@ struct Parameter_tags
 template <class First, class Second>
 using Joined_tags = decltype(First::joined_with(Second()));
 
-typedef Parameter_tags<internal_np::vertex_point_t, internal_np::geodesic_edge_length_map_t, internal_np::geom_traits_t,
-                       internal_np::vertex_index_t, internal_np::face_index_t, internal_np::concurrency_tag_t>
-  Mesh_parameters;
+typedef Parameter_tags<internal_np::vertex_point_t, internal_np::geom_traits_t, internal_np::vertex_index_t,
+                       internal_np::face_index_t, internal_np::concurrency_tag_t>
+  Mesh_with_points_parameters;
+typedef Joined_tags<Mesh_with_points_parameters, Parameter_tags<internal_np::geodesic_edge_length_map_t>> Mesh_parameters;
 typedef Parameter_tags<internal_np::geodesic_start_value_t> Source_parameters;
 typedef Parameter_tags<internal_np::visitor_t, internal_np::verbose_t, internal_np::concurrency_tag_t> Update_parameters;
 typedef Joined_tags<Update_parameters,
