@@ -162,7 +162,6 @@ public:
   /// sets up the mesh.
   /// \param tm the mesh
   /// \param np an optional sequence of named parameters, those of `Geodesic_mesh::Geodesic_mesh()`
-  /// \pre All faces of `tm` are triangles with three different vertices.
   /// \throws std::invalid_argument and std::length_error as `Geodesic_mesh::Geodesic_mesh()`
   template <class NamedParameters = parameters::Default_named_parameters>
   explicit Surface_mesh_geodesic_offset(const Triangle_mesh& tm, const NamedParameters& np = parameters::default_values())
@@ -194,7 +193,8 @@ public:
 
   /// \name Sources
   /// Each function that adds a source returns its id: 0, 1, 2, ... Ids of removed sources are not used again. If a function
-  /// throws, it has added nothing.
+  /// throws, it has added nothing. An element of another mesh is recognized by its descriptor: if that is also the descriptor of an
+  /// element of this mesh, as indices are, it stands for this element.
   ///
   /// A source may have a *start value*, a distance that is added to all distances from the source. Distances are then
   /// \f$\min_i (s_i + d_i)\f$ over the sources \f$i\f$ with their start values \f$s_i\f$, and with the distances
@@ -208,9 +208,8 @@ public:
   /// \param v the vertex
   /// \param np an optional named parameter, `start_value(s)`: the start value, a finite number that is not negative (default:
   ///        0)
-  /// \pre The vertex belongs to the mesh.
-  /// \throws std::invalid_argument if the vertex is null, or if its index is out of range, or if the start value is not a
-  ///         finite number or is negative.
+  /// \throws std::invalid_argument if the vertex is null, removed or of another mesh, or if the start value is not a finite
+  ///         number or is negative.
   template <class NamedParameters = parameters::Default_named_parameters>
   std::size_t add_source_point(vertex_descriptor v, const NamedParameters& np = parameters::default_values())
   {
@@ -221,8 +220,8 @@ public:
   /// (1e-13), the point is the nearest one of the edge; if two are, it is at the vertex.
   /// \param location the point
   /// \param np as for a vertex
-  /// \throws std::invalid_argument if the coordinates are not finite, if they are outside the face, if their sum is not
-  ///         positive, or if the start value is not a finite number or is negative.
+  /// \throws std::invalid_argument if the face is null, removed or of another mesh, if the coordinates are not finite, if they are
+  ///         outside the face, if their sum is not positive, or if the start value is not a finite number or is negative.
   template <class NamedParameters = parameters::Default_named_parameters>
   std::size_t add_source_point(const Face_location& location, const NamedParameters& np = parameters::default_values())
   {
@@ -280,10 +279,8 @@ public:
   /// \tparam EdgeRange a model of `ConstRange` with `edge_descriptor` as value type
   /// \param edges the edges
   /// \param np as for a vertex
-  /// \pre The edges belong to the mesh.
-  /// \throws std::invalid_argument if the range is empty, or if an edge has no face, or if an edge is null or of another mesh, or
-  ///         if the start value is not a finite number or is negative. An edge of another mesh that has the descriptor of an
-  ///         edge of this mesh, an index for instance, is that edge.
+  /// \throws std::invalid_argument if the range is empty, if an edge has no face, if an edge is null, removed or of another mesh,
+  ///         or if the start value is not a finite number or is negative.
   template <class EdgeRange, class NamedParameters = parameters::Default_named_parameters>
   std::size_t add_source_edges(const EdgeRange& edges, const NamedParameters& np = parameters::default_values())
   {
@@ -313,8 +310,8 @@ public:
   }
 
   /// adds one boundary cycle, that of a border halfedge: a set of edges. Edges without a face are left out.
-  /// \pre The halfedge belongs to the mesh.
-  /// \throws std::invalid_argument if the halfedge is not a border halfedge, or is null, or if no edge of the cycle has a face.
+  /// \throws std::invalid_argument if the halfedge is not a border halfedge, if it is null, removed or of another mesh, or if no
+  ///         edge of the cycle has a face.
   std::size_t add_source_boundary(halfedge_descriptor border) { return add_source_edges(m_mesh.boundary_edges(border)); }
 
   /// adds the edges that `sharp_edges()` finds, as one source.

@@ -158,7 +158,7 @@ public:
 
   /// the amount by which the distance of a vertex may be smaller than the exact distance: 0 if the build had no tolerance.
   /// For all other points, `statistics()` has the largest such bound. Excludes rounding error.
-  /// \throws std::invalid_argument if the vertex does not belong to the mesh.
+  /// \throws std::invalid_argument if the vertex is null, removed or of another mesh.
   FT error_bound(vertex_descriptor v) const
   {
     const Build& b = built();

@@ -177,8 +177,7 @@ public:
     \cgalParamNEnd
   \cgalNamedParamsEnd
 
-  \pre All faces of `tm` are triangles with three different vertices.
-  \throws std::invalid_argument if the precondition does not hold, if the vertices of a face are collinear, or if the lengths
+  \throws std::invalid_argument if a face is not a triangle with three different vertices, if they are collinear, or if the lengths
           of a face do not satisfy the strict triangle inequality, with the index of the face in the message; if a coordinate
           or a length is not finite; or if the longest edge is not between 1e-77 and 1e77 (1e-9 and 1e9 for `float`), where
           fourth powers of lengths overflow or underflow.
@@ -387,8 +386,7 @@ public:
   }
 
   /// the edges of one boundary cycle, that of a border halfedge. Edges without a face are left out.
-  /// \pre The halfedge belongs to the mesh.
-  /// \throws std::invalid_argument if the halfedge is not a border halfedge, or is null.
+  /// \throws std::invalid_argument if the halfedge is not a border halfedge, or if it is null, removed or of another mesh.
   std::vector<edge_descriptor> boundary_edges(halfedge_descriptor border) const
   {
     data().surface().check_halfedge(border);

@@ -51,7 +51,6 @@ The time is that of `geodesic_distances()` with kept windows, and of `Geodesic_d
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\pre All faces of `tm` are triangles with three different vertices.
 \throws std::logic_error if the visitor cancels the computation
 \throws std::invalid_argument and other exceptions as `geodesic_distances()`
 */

@@ -46,7 +46,6 @@ sets it up once.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\pre All faces of `tm` are triangles with three different vertices.
 \throws std::invalid_argument and other exceptions as `Geodesic_mesh::Geodesic_mesh()`,
         `Surface_mesh_geodesic_offset::build()` and the functions of `Surface_mesh_geodesic_offset` that add sources
 */
