@@ -23,7 +23,6 @@
 #include <memory>
 #include <optional>
 #include <stdexcept>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -258,21 +257,40 @@ public:
   /// \tparam FaceLocationRange a model of `ConstRange` with `Face_location`, or a location with the coordinates of another kernel,
   ///         as value type
   /// \param locations the vertices of the polyline
-  /// \param closed whether the last point is joined to the first one
-  /// \param np as for a vertex
-  /// \throws std::invalid_argument if the range is empty, if two consecutive points have no face in common, or if the start
-  ///         value is not a finite number or is negative.
+  /// \param np an optional sequence of named parameters among those listed below
+  ///
+  /// \cgalNamedParamsBegin
+  ///   \cgalParamNBegin{is_closed}
+  ///     \cgalParamDescription{whether the last point is joined to the first one}
+  ///     \cgalParamType{`bool`}
+  ///     \cgalParamDefault{`false`}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{start_value}
+  ///     \cgalParamDescription{the start value}
+  ///     \cgalParamType{convertible to `FT`, a finite number that is not negative}
+  ///     \cgalParamDefault{0}
+  ///   \cgalParamNEnd
+  /// \cgalNamedParamsEnd
+  ///
+  /// \throws std::invalid_argument if the range is empty, if two consecutive points have no face in common, if a location is not
+  ///         valid, or if the start value is not a finite number or is negative.
   template <class FaceLocationRange, class NamedParameters = parameters::Default_named_parameters>
-  std::size_t add_source_polyline(const FaceLocationRange& locations, bool closed = false,
+  std::size_t add_source_polyline(const FaceLocationRange& locations, const NamedParameters& np = parameters::default_values())
+  {
+    Source_set set;
+    set.add_polyline(locations, np);
+    return add(set.sources().begin()->second);
+  }
+
+  /// Overload for a polyline that is open or closed itself, such as the results of `locate_polyline()`, `join_polyline()` and
+  /// `plane_section()`. The only named parameter is `start_value`.
+  template <class Location, class NamedParameters = parameters::Default_named_parameters>
+  std::size_t add_source_polyline(const Geodesic_polyline<Location>& polyline,
                                   const NamedParameters& np = parameters::default_values())
   {
-    Source s{closed ? Kind::CLOSED_POLYLINE : Kind::OPEN_POLYLINE,
-             no_vertex(),
-             {},
-             {},
-             Geodesic_offset::internal::start_value_of<FT>(np)};
-    for (const auto& l : locations) s.locations.push_back(Geodesic_offset::internal::converted_location<FT>(l));
-    return add(std::move(s));
+    Source_set set;
+    set.add_polyline(polyline, np);
+    return add(set.sources().begin()->second);
   }
 
   /// adds a set of edges.
@@ -333,7 +351,7 @@ public:
   {
     const Plane_section section = plane_section(plane);
     Source_set set;
-    for (const auto& polyline : section.polylines) set.add_polyline(polyline.locations, polyline.is_closed);
+    for (const auto& polyline : section.polylines) set.add_polyline(polyline);
     if (!section.touched_edges.empty()) set.add_edges(section.touched_edges);
     for (const vertex_descriptor v : section.touched_vertices) set.add_vertex(v);
     return add_sources(set);
@@ -669,73 +687,62 @@ public:
   /// @{
 
   /// forwards to `Geodesic_mesh::locate()`.
-  Face_location locate(const Point_3& p) const { return m_mesh.locate(p); }
-
-  /// Overload with a tolerance.
-  Face_location locate(const Point_3& p, const FT& tolerance) const { return m_mesh.locate(p, tolerance); }
-
-  /// Overload for a point of another kernel.
-  template <class Point, class = std::enable_if_t<Geodesic_offset::internal::is_point_in_space<Point>>>
-  Face_location locate(const Point& p) const
+  template <class NamedParameters = parameters::Default_named_parameters>
+  Face_location locate(const Point_3& p, const NamedParameters& np = parameters::default_values()) const
   {
-    return m_mesh.locate(p);
+    return m_mesh.locate(p, np);
   }
 
-  /// Overload for a point of another kernel, with a tolerance.
-  template <class Point, class = std::enable_if_t<Geodesic_offset::internal::is_point_in_space<Point>>>
-  Face_location locate(const Point& p, const FT& tolerance) const
+  /// Overload for a point of another kernel.
+  template <class Point, class NamedParameters = parameters::Default_named_parameters>
+  Face_location locate(const Point& p, const NamedParameters& np = parameters::default_values()) const
   {
-    return m_mesh.locate(p, tolerance);
+    return m_mesh.locate(p, np);
   }
 
   /// forwards to `Geodesic_mesh::locate()`.
-  std::optional<Face_location> locate(const Ray_3& r) const { return m_mesh.locate(r); }
-
-  /// Overload with a tolerance.
-  std::optional<Face_location> locate(const Ray_3& r, const FT& tolerance) const { return m_mesh.locate(r, tolerance); }
+  template <class NamedParameters = parameters::Default_named_parameters>
+  std::optional<Face_location> locate(const Ray_3& r, const NamedParameters& np = parameters::default_values()) const
+  {
+    return m_mesh.locate(r, np);
+  }
 
   /// forwards to `Geodesic_mesh::locate_with_distance()`.
-  std::pair<Face_location, FT> locate_with_distance(const Point_3& p) const { return m_mesh.locate_with_distance(p); }
-
-  /// Overload with a tolerance.
-  std::pair<Face_location, FT> locate_with_distance(const Point_3& p, const FT& tolerance) const
+  template <class NamedParameters = parameters::Default_named_parameters>
+  std::pair<Face_location, FT> locate_with_distance(const Point_3& p,
+                                                    const NamedParameters& np = parameters::default_values()) const
   {
-    return m_mesh.locate_with_distance(p, tolerance);
+    return m_mesh.locate_with_distance(p, np);
   }
 
   /// Overload for a point of another kernel.
-  template <class Point, class = std::enable_if_t<Geodesic_offset::internal::is_point_in_space<Point>>>
-  std::pair<Face_location, FT> locate_with_distance(const Point& p) const
+  template <class Point, class NamedParameters = parameters::Default_named_parameters>
+  std::pair<Face_location, FT> locate_with_distance(const Point& p,
+                                                    const NamedParameters& np = parameters::default_values()) const
   {
-    return m_mesh.locate_with_distance(p);
-  }
-
-  /// Overload for a point of another kernel, with a tolerance.
-  template <class Point, class = std::enable_if_t<Geodesic_offset::internal::is_point_in_space<Point>>>
-  std::pair<Face_location, FT> locate_with_distance(const Point& p, const FT& tolerance) const
-  {
-    return m_mesh.locate_with_distance(p, tolerance);
+    return m_mesh.locate_with_distance(p, np);
   }
 
   /// forwards to `Geodesic_mesh::locate_polyline()`.
-  template <class PointRange>
-  Polyline locate_polyline(const PointRange& points, bool closed = false) const
+  template <class PointRange, class NamedParameters = parameters::Default_named_parameters>
+  Polyline locate_polyline(const PointRange& points, const NamedParameters& np = parameters::default_values()) const
   {
-    return m_mesh.locate_polyline(points, closed);
+    return m_mesh.locate_polyline(points, np);
   }
 
   /// forwards to `Geodesic_mesh::locate_polyline_with_distance()`.
-  template <class PointRange>
-  std::pair<Polyline, FT> locate_polyline_with_distance(const PointRange& points, bool closed = false) const
+  template <class PointRange, class NamedParameters = parameters::Default_named_parameters>
+  std::pair<Polyline, FT> locate_polyline_with_distance(const PointRange& points,
+                                                        const NamedParameters& np = parameters::default_values()) const
   {
-    return m_mesh.locate_polyline_with_distance(points, closed);
+    return m_mesh.locate_polyline_with_distance(points, np);
   }
 
   /// forwards to `Geodesic_mesh::join_polyline()`.
-  template <class FaceLocationRange>
-  Polyline join_polyline(const FaceLocationRange& locations, bool closed = false) const
+  template <class FaceLocationRange, class NamedParameters = parameters::Default_named_parameters>
+  Polyline join_polyline(const FaceLocationRange& locations, const NamedParameters& np = parameters::default_values()) const
   {
-    return m_mesh.join_polyline(locations, closed);
+    return m_mesh.join_polyline(locations, np);
   }
 
   /// forwards to `Geodesic_mesh::plane_section()`.

@@ -37,7 +37,7 @@ struct Known_source
   std::size_t add_to(Geodesic& geodesic) const
   {
     return kind == POINT    ? geodesic.add_source_point(locations.front())
-         : kind == POLYLINE ? geodesic.add_source_polyline(locations, is_closed)
+         : kind == POLYLINE ? geodesic.add_source_polyline(locations, CGAL::parameters::is_closed(is_closed))
                             : geodesic.add_source_edges(edges);
   }
 

@@ -313,7 +313,7 @@ private:
   Known_source joined(Geodesic& geodesic, const std::vector<Face_location>& through, bool is_closed, double shortest,
                       Answer_counts& counts)
   {
-    const Geodesic::Polyline polyline = geodesic.join_polyline(through, is_closed);
+    const Geodesic::Polyline polyline = geodesic.join_polyline(through, CGAL::parameters::is_closed(is_closed));
     if (checker_->repeats_points(polyline.locations, polyline.is_closed) || !checker_->is_connected(polyline.locations))
     {
       ++counts.wrong_polylines;

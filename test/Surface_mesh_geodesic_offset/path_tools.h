@@ -265,7 +265,7 @@ struct Any_source
   std::size_t add_to(Geodesic& geodesic) const
   {
     return locations.size() == 1 ? geodesic.add_source_point(locations.front())
-                                 : geodesic.add_source_polyline(locations, closed);
+                                 : geodesic.add_source_polyline(locations, CGAL::parameters::is_closed(closed));
   }
 };
 

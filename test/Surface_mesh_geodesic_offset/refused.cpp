@@ -41,8 +41,10 @@ typedef Computing_traits_of<Own_traits> Computing_traits_2;
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_geodesic_offset.h>
+#include <CGAL/Surface_mesh_geodesic_offset/IO/write_offset_curves.h>
 #include <CGAL/Surface_mesh_geodesic_offset/Surface_mesh_geodesic_enclosure.h>
 
+#include <iostream>
 #include <iterator>
 #include <vector>
 
@@ -70,6 +72,13 @@ void refused(const Mesh& mesh, Geodesic& geodesic, std::vector<Geodesic::Offset_
   // of a mesh without points, for an enclosure; of a build with a limit
   CGAL::Surface_mesh_geodesic_enclosure<Geodesic::Traits> enclosure(mesh, parameters::edge_length_map(lengths));
   enclosure.build(parameters::distance_limit(1.));
+  // of a polyline that is closed or open itself; of a point in space; what was positional
+  geodesic.add_source_polyline(Geodesic::Polyline(), parameters::start_value(1.).is_closed(true));
+  geodesic.locate(Kernel::Point_3(0, 0, 0), parameters::is_closed(true));
+  geodesic.locate_polyline(std::vector<Kernel::Point_3>(), true);
+  // of files with a unit, and of files with chords
+  CGAL::IO::write_offset_CSV(std::cout, curves, parameters::length_unit(CGAL::IO::Length_unit::METER));
+  CGAL::IO::write_offset_SVG(std::cout, curves, parameters::chord_tolerance(0.1));
 }
 
 #else

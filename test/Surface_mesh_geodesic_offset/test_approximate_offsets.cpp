@@ -50,7 +50,7 @@ struct Case
     sources.push_back(s);
     s.add_to(exact);
     if (s.locations.size() == 1) enclosure.add_source_point(s.locations.front());
-    else enclosure.add_source_polyline(s.locations, s.closed);
+    else enclosure.add_source_polyline(s.locations, CGAL::parameters::is_closed(s.closed));
   }
 
   void build()

@@ -185,8 +185,8 @@ void own_offsets()
         if (s.locations.size() == 1) c.add_source(s.locations.front());
         else
         {
-          c.geodesic.add_source_polyline(s.locations, s.closed);
-          c.enclosure.add_source_polyline(s.locations, s.closed);
+          c.geodesic.add_source_polyline(s.locations, CGAL::parameters::is_closed(s.closed));
+          c.enclosure.add_source_polyline(s.locations, CGAL::parameters::is_closed(s.closed));
         }
       }
       c.build();

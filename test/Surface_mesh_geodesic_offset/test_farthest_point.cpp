@@ -243,7 +243,7 @@ void sources_of_all_kinds(const std::string& name, const test::Surface_mesh& mes
       const auto f = random_face();
       std::vector<Face_location> path;
       for (int i = 0; i < 3; ++i) path.push_back(Face_location(f, random_barycentric(random)));
-      geodesic.add_source_polyline(path, true);
+      geodesic.add_source_polyline(path, CGAL::parameters::is_closed(true));
     }
     else if (kind == 4) // over vertices
     {

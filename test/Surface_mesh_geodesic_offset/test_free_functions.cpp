@@ -133,9 +133,9 @@ void kinds_of_sources()
   // closed: the last point is the first one
   std::vector<Point_3> ring{point(40), point(47), point(61), point(40)};
   set = Source_set();
-  const Geodesic::Polyline closed = located.locate_polyline(ring, true);
+  const Geodesic::Polyline closed = located.locate_polyline(ring, CGAL::parameters::is_closed(true));
   CHECK(closed.is_closed);
-  set.add_polyline(closed.locations, true);
+  set.add_polyline(closed);
   compare("closed polyline in space", ring, set);
 
   set = Source_set();
@@ -286,7 +286,8 @@ void source_sets()
   CHECK(set.add_vertex(Vertex_index(3)) == 0 && set.add_location(location(10, 0.2, 0.3)) == 1 &&
         set.add_edges(std::vector<Edge_index>{Edge_index(4)}) == 2);
   set.remove(1);
-  CHECK(set.add_polyline(std::vector<Face_location>{location(10, 0.2, 0.3), location(10, 0.3, 0.2)}, true) == 3);
+  CHECK(set.add_polyline(std::vector<Face_location>{location(10, 0.2, 0.3), location(10, 0.3, 0.2)},
+                         CGAL::parameters::is_closed(true)) == 3);
   CHECK(set.size() == 3 && set.sources().at(3).kind == Source_set::Kind::CLOSED_POLYLINE);
   CHECK_THROWS(set.remove(1), std::invalid_argument);
 

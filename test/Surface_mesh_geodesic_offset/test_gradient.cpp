@@ -111,7 +111,7 @@ void run(const std::string& name, const test::Surface_mesh& mesh, unsigned seed,
   Geodesic geodesic(mesh);
   if (polylines)
     for (const auto& section : random_plane_section(mesh, seed))
-      geodesic.add_source_polyline(section.locations, section.closed);
+      geodesic.add_source_polyline(section.locations, CGAL::parameters::is_closed(section.closed));
   for (std::size_t i = 0; !polylines && i < 3; ++i) geodesic.add_source_point(random_location(locations, mesh, random, i));
   geodesic.build(CGAL::parameters::keep_windows(true));
 

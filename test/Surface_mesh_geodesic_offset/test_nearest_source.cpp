@@ -205,7 +205,7 @@ void sections(const std::string& name, const test::Surface_mesh& mesh, unsigned 
   double step = 0;
   for (const auto& section : random_plane_section(mesh, seed))
   {
-    polylines[geodesic.add_source_polyline(section.locations, section.closed)] = section.locations;
+    polylines[geodesic.add_source_polyline(section.locations, CGAL::parameters::is_closed(section.closed))] = section.locations;
     for (std::size_t i = 0; i < section.number_of_segments(); ++i)
     {
       const int samples = 16;

@@ -42,7 +42,7 @@ void check_signed(double actual, const std::pair<double, int>& expected, Totals&
 void compare_with_plane(Planar_mesh& plane, const Planar_mesh::Path& path, bool closed, Totals& totals)
 {
   Geodesic geodesic(plane.data.mesh);
-  geodesic.add_source_polyline(path.locations, closed);
+  geodesic.add_source_polyline(path.locations, CGAL::parameters::is_closed(closed));
   geodesic.build(CGAL::parameters::keep_windows(true));
   const Signed_distance expected(path.legs, closed);
   const double margin = 1e-9;
@@ -287,7 +287,7 @@ void along_edges_of_grids()
     if (closed) legs.back().b = legs.front().a;
     else legs.pop_back();
     Geodesic geodesic(data.mesh);
-    geodesic.add_source_polyline(polyline, closed);
+    geodesic.add_source_polyline(polyline, CGAL::parameters::is_closed(closed));
     geodesic.build(CGAL::parameters::keep_windows(true));
     const Signed_distance expected(legs, closed);
     for (std::size_t i = 0; i < data.vertices.size(); ++i)

@@ -199,12 +199,13 @@ void polylines(const std::string& name, const test::Surface_mesh& mesh, unsigned
                expected);
 
     std::vector<Face_location> loop = {way[1], way[2], way[3]};
-    const std::vector<double> closed = distances(mesh, [&](Geodesic& g) { g.add_source_polyline(loop, true); });
+    const std::vector<double> closed =
+      distances(mesh, [&](Geodesic& g) { g.add_source_polyline(loop, CGAL::parameters::is_closed(true)); });
     loop.push_back(loop.front());
     check_same(name + ": closed, or with the first point repeated", mesh,
                distances(mesh, [&](Geodesic& g) { g.add_source_polyline(loop); }), closed);
     check_same(name + ": closed and with the first point repeated", mesh,
-               distances(mesh, [&](Geodesic& g) { g.add_source_polyline(loop, true); }), closed);
+               distances(mesh, [&](Geodesic& g) { g.add_source_polyline(loop, CGAL::parameters::is_closed(true)); }), closed);
   }
 }
 

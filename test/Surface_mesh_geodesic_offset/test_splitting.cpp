@@ -267,7 +267,7 @@ void split_from_all(const std::string& name, const Surface_mesh& mesh, unsigned 
     split(
       name + ", section", mesh,
       [&](Geodesic& g) {
-      for (const auto& s : sections) g.add_source_polyline(s.locations, s.closed);
+      for (const auto& s : sections) g.add_source_polyline(s.locations, CGAL::parameters::is_closed(s.closed));
       },
       random);
   }
@@ -566,7 +566,7 @@ void levels_without_width()
     Surface_mesh mesh = Generated_mesh<Surface_mesh>(planar_grid(2, 2)).mesh;
     Geodesic geodesic(mesh);
     const Face_index f(2);
-    geodesic.add_source_polyline(std::vector<Geodesic::Face_location>{{f, {{0.2, 0.2, 0.6}}}, {f, {{0.5, 0.3, 0.2}}}}, false,
+    geodesic.add_source_polyline(std::vector<Geodesic::Face_location>{{f, {{0.2, 0.2, 0.6}}}, {f, {{0.5, 0.3, 0.2}}}},
                                  CGAL::parameters::start_value(start_value));
     geodesic.build();
     std::vector<Geodesic::Offset_curve> curves;
@@ -586,7 +586,7 @@ void levels_without_width()
     std::vector<Geodesic::Face_location> row; // through the center
     for (const Surface_mesh::size_type v : {3u, 4u, 5u})
       row.push_back(Locations<Surface_mesh>(mesh).at_vertex(Vertex_index(v)));
-    geodesic.add_source_polyline(row, false, CGAL::parameters::start_value(start_value));
+    geodesic.add_source_polyline(row, CGAL::parameters::start_value(start_value));
     geodesic.build(CGAL::parameters::keep_windows(true));
     std::vector<double> levels = {start_value * (1 + 1e-11)};
     if (has_second_level) levels.push_back(start_value + 0.5);

@@ -135,7 +135,7 @@ void run(const std::string& name, const test::Surface_mesh& mesh, bool keep)
   for (Geodesic* g : {&alone, &shared})
   {
     g->add_source_point(point);
-    for (const auto& s : sections) g->add_source_polyline(s.locations, s.closed);
+    for (const auto& s : sections) g->add_source_polyline(s.locations, CGAL::parameters::is_closed(s.closed));
     g->build(CGAL::parameters::keep_windows(keep));
   }
   Path_locations points;

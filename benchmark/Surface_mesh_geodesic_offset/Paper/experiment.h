@@ -153,7 +153,7 @@ inline std::vector<Surface_polyline> add_section(Geodesic& geodesic, const Kerne
 {
   const std::vector<Surface_polyline> curves = geodesic.mesh().plane_section(plane).polylines;
   if (curves.empty()) throw std::runtime_error("the plane does not cut the mesh");
-  for (const Surface_polyline& c : curves) geodesic.add_source_polyline(c.locations, c.is_closed);
+  for (const Surface_polyline& c : curves) geodesic.add_source_polyline(c);
   return curves;
 }
 

@@ -6,6 +6,7 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
+#include <CGAL/Surface_mesh_geodesic_offset/Geodesic_plane_section.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Point_conversion.h>
 #include <CGAL/Surface_mesh_geodesic_offset/named_parameters.h>
 
@@ -122,20 +123,30 @@ public:
     return add_location(Geodesic_offset::internal::converted_location<FT>(location), np);
   }
 
-  /// adds a polyline. Each of its segments is straight within one closed face.
+  /// adds a polyline. Reads another named parameter, `is_closed(b)`: whether the last point is joined to the first one (default:
+  /// `false`). Each of its segments is straight within one closed face.
   /// \tparam FaceLocationRange a model of `ConstRange` with `Face_location`, or a location with the coordinates of another kernel,
   ///         as value type
   /// \param locations the vertices of the polyline, at least one
-  /// \param closed whether the last point is joined to the first one
   template <class FaceLocationRange, class NamedParameters = parameters::Default_named_parameters>
-  std::size_t add_polyline(const FaceLocationRange& locations, bool closed = false,
-                           const NamedParameters& np = parameters::default_values())
+  std::size_t add_polyline(const FaceLocationRange& locations, const NamedParameters& np = parameters::default_values())
   {
-    return add({closed ? Kind::CLOSED_POLYLINE : Kind::OPEN_POLYLINE,
+    namespace internal = Geodesic_offset::internal;
+    const FT start_value = internal::start_value_of<FT, internal::Polyline_source_parameters>(np);
+    return add({internal::is_closed_of(np) ? Kind::CLOSED_POLYLINE : Kind::OPEN_POLYLINE,
                 boost::graph_traits<TriangleMesh>::null_vertex(),
                 converted(locations),
                 {},
-                Geodesic_offset::internal::start_value_of<FT>(np)});
+                start_value});
+  }
+
+  /// Overload for a polyline that is open or closed itself; its locations may have the coordinates of another kernel.
+  template <class Location, class NamedParameters = parameters::Default_named_parameters>
+  std::size_t add_polyline(const Geodesic_polyline<Location>& polyline,
+                           const NamedParameters& np = parameters::default_values())
+  {
+    Geodesic_offset::internal::check_named_parameters<Geodesic_offset::internal::Source_parameters, NamedParameters>();
+    return add_polyline(polyline.locations, np.is_closed(polyline.is_closed));
   }
 
   /// adds a set of edges.

@@ -154,11 +154,20 @@ public:
 
   /// adds a polyline.
   template <class FaceLocationRange, class NamedParameters = parameters::Default_named_parameters>
-  std::size_t add_source_polyline(const FaceLocationRange& locations, bool closed = false,
+  std::size_t add_source_polyline(const FaceLocationRange& locations, const NamedParameters& np = parameters::default_values())
+  {
+    Source_set set;
+    set.add_polyline(locations, np);
+    return add_sources(set).front();
+  }
+
+  /// Overload for a polyline that is open or closed itself.
+  template <class Location, class NamedParameters = parameters::Default_named_parameters>
+  std::size_t add_source_polyline(const Geodesic_polyline<Location>& polyline,
                                   const NamedParameters& np = parameters::default_values())
   {
     Source_set set;
-    set.add_polyline(locations, closed, np);
+    set.add_polyline(polyline, np);
     return add_sources(set).front();
   }
 

@@ -64,7 +64,7 @@ private:
   template <class Location>
   void add(const Geodesic_polyline<Location>& polyline)
   {
-    m_set.add_polyline(polyline.locations, polyline.is_closed);
+    m_set.add_polyline(polyline);
   }
 
   // A source set in a range: its sources get new ids.
@@ -99,7 +99,7 @@ private:
     std::vector<Point_3> points;
     for (const auto& p : range) points.push_back(converted_point<Point_3, FT>(p));
     const bool closed = points.size() > 3 && points.front() == points.back();
-    add(m_mesh.locate_polyline(points, closed));
+    add(m_mesh.locate_polyline(points, parameters::is_closed(closed)));
   }
 
   const Mesh& m_mesh;
