@@ -593,7 +593,7 @@ public:
 
   /// forwards to `Geodesic_distance_field::signed_distance_to_sources()`.
   template <class Location>
-  double signed_distance_to_sources(const Location& location) const
+  std::optional<double> signed_distance_to_sources(const Location& location) const
   {
     return field().signed_distance_to_sources(location);
   }
@@ -607,7 +607,7 @@ public:
 
   /// forwards to `Geodesic_distance_field::gradient()`.
   template <class Location>
-  Vector_3 gradient(const Location& location) const
+  std::optional<Vector_3> gradient(const Location& location) const
   {
     return field().gradient(location);
   }
@@ -630,13 +630,13 @@ public:
   }
 
   /// forwards to `Geodesic_distance_field::largest_vertex_distance()`.
-  FT largest_vertex_distance() const { return field().largest_vertex_distance(); }
+  std::optional<FT> largest_vertex_distance() const { return field().largest_vertex_distance(); }
 
   /// forwards to `Geodesic_distance_field::farthest_point()`.
-  std::pair<Face_location, FT> farthest_point() const { return field().farthest_point(); }
+  std::optional<std::pair<Face_location, FT>> farthest_point() const { return field().farthest_point(); }
 
   /// forwards to `Geodesic_distance_field::largest_distance()`.
-  FT largest_distance() const { return field().largest_distance(); }
+  std::optional<FT> largest_distance() const { return field().largest_distance(); }
 
   /// forwards to `Geodesic_distance_field::shortest_path_to_sources()`.
   template <class Location, class OutputIterator>

@@ -521,7 +521,7 @@ private:
     if (const auto n = geodesic.nearest_source(query))
     {
       log_ << "  distance " << n->distance << ", source " << n->source << (n->is_segment ? ", segment " : ", point ") << n->part
-           << ", side " << int(n->side) << ", gradient " << geodesic.gradient(query) << ", path\n";
+           << ", side " << int(n->side) << ", gradient " << geodesic.gradient(query).value_or(CGAL::NULL_VECTOR) << ", path\n";
       std::vector<Face_location> path;
       geodesic.shortest_path_to_sources(query, std::back_inserter(path));
       for (const Face_location& l : path) write(l);

@@ -189,7 +189,7 @@ void limited_to_the_largest_level(const test::Surface_mesh& mesh, const std::fun
   Geodesic geodesic(mesh);
   add_sources(geodesic);
   geodesic.build(CGAL::parameters::compute_largest_distance(true));
-  const double farthest = geodesic.largest_distance();
+  const double farthest = geodesic.largest_distance().value();
   std::vector<double> at_vertices;
   for (auto v : vertices(mesh))
     if (const double d = geodesic.distance_to_sources(v); d > 0 && std::isfinite(d)) at_vertices.push_back(d);

@@ -419,7 +419,7 @@ void planar_meshes()
     geodesic.add_source_point(*vertices(mesh).begin());
     geodesic.build();
     std::vector<Geodesic::Offset_curve> curves;
-    const double largest = geodesic.largest_vertex_distance();
+    const double largest = geodesic.largest_vertex_distance().value();
     geodesic.offset_curves(std::vector<double>{0.3 * largest, 0.6 * largest}, std::back_inserter(curves));
     std::ostringstream os;
     if (result) CHECK(CGAL::IO::write_offset_SVG(os, curves));

@@ -57,7 +57,7 @@ Curves curves_at_levels(const Surface_mesh& mesh, std::size_t levels)
   geodesic.build();
   std::vector<double> distances;
   for (std::size_t i = 1; i <= levels; ++i)
-    distances.push_back(geodesic.largest_vertex_distance() * static_cast<double>(i) / static_cast<double>(levels + 1));
+    distances.push_back(geodesic.largest_vertex_distance().value() * static_cast<double>(i) / static_cast<double>(levels + 1));
   Curves curves;
   geodesic.offset_curves(distances, std::back_inserter(curves));
   CHECK(curves.size() >= levels);

@@ -62,7 +62,7 @@ long euler_characteristic(const Mesh& mesh)
 // Ten levels between 0 and the largest distance: if there are such, two at which an edge lies, and three at those of vertices.
 std::vector<double> levels_of(const Geodesic& geodesic, const Surface_mesh& mesh, Random& random)
 {
-  const double largest = geodesic.largest_distance();
+  const double largest = geodesic.largest_distance().value();
   const auto is_inside = [&](double d) { return d > 0.01 * largest && d < 0.99 * largest; };
   std::vector<double> levels, on_edges;
   for (const Edge_index e : mesh.edges())
@@ -427,7 +427,7 @@ void sources_and_visitor()
     add([&](Geodesic& g) { return g.add_source_polyline(polyline); });
     const auto field = all.build(CGAL::parameters::keep_windows(true));
     std::vector<Offset_curve> curves;
-    all.offset_curves(std::vector<double>{0.3 * all.largest_distance(), 0.7 * all.largest_distance()},
+    all.offset_curves(std::vector<double>{0.3 * all.largest_distance().value(), 0.7 * all.largest_distance().value()},
                       std::back_inserter(curves));
 
     auto source = mesh.add_property_map<Face_index, std::size_t>("source", 99).first;
@@ -555,7 +555,7 @@ void levels_without_width()
     auto distance = mesh.add_property_map<Vertex_index, double>("distance").first;
     geodesic.vertex_distances(distance);
     std::vector<Geodesic::Offset_curve> curves;
-    geodesic.offset_curves(std::vector<double>{geodesic.largest_distance() * (1 - 1e-11)}, std::back_inserter(curves));
+    geodesic.offset_curves(std::vector<double>{geodesic.largest_distance().value() * (1 - 1e-11)}, std::back_inserter(curves));
     CHECK(!curves.empty());
     auto band = mesh.add_property_map<Face_index, std::size_t>("band", 99).first;
     CGAL::split_along_offset_curves(mesh, curves, CGAL::parameters::face_band_map(band).vertex_distance_map(distance));

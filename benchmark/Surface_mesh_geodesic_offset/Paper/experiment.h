@@ -235,7 +235,7 @@ Image panel(const Distances& distances, const Mesh& mesh, const View& view, cons
 inline Image panel(const Geodesic& geodesic, const Mesh& mesh, const View& view, const geodesic_offset::Extent& extent,
                    const Drawing& drawing, int width)
 {
-  geodesic_offset::Face_distances distances(mesh, geodesic, geodesic.field().largest_vertex_distance());
+  geodesic_offset::Face_distances distances(mesh, geodesic, geodesic.field().largest_vertex_distance().value());
   distances.interpolate_everywhere();
   return panel(distances, mesh, view, extent, drawing, width);
 }

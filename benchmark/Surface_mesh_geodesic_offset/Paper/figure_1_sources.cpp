@@ -82,7 +82,7 @@ void run(const Model& model, const std::string& picture)
   for (const Surface_polyline& c : curves) build_single([&c](Geodesic& g) { g.add_source_polyline(c); });
 
   geodesic.build();
-  const double spacing = geodesic.field().largest_vertex_distance() / static_cast<double>(number_of_levels + 1);
+  const double spacing = geodesic.field().largest_vertex_distance().value() / static_cast<double>(number_of_levels + 1);
   std::vector<Offset_curve> offsets;
   geodesic.build_with_offset_curves(Levels::equally_spaced(spacing, number_of_levels), std::back_inserter(offsets));
   const std::vector<double> all = distances(geodesic, mesh);
