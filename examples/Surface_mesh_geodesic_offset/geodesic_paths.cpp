@@ -34,15 +34,15 @@ int main(int argc, char* argv[])
   geodesic.build(CGAL::parameters::keep_windows(true));
 
   // The second source is a farthest point from the first one; the update propagates only shorter distances.
-  geodesic.add_source_point(geodesic.farthest_point().first);
+  geodesic.add_source_point(geodesic.farthest_point()->first);
   geodesic.update();
 
-  const Geodesic::Face_location query = geodesic.farthest_point().first;
+  const Geodesic::Face_location query = geodesic.farthest_point()->first;
   std::vector<Kernel::Point_3> path;
   geodesic.shortest_path_points_to_sources(query, std::back_inserter(path));
   std::cout << "largest distance: " << geodesic.distance_to_sources(query) << " from source "
             << geodesic.nearest_source(query)->source << '\n'
-            << "gradient there: " << geodesic.gradient(query) << '\n'
+            << "gradient there: " << *geodesic.gradient(query) << '\n'
             << "the path has " << path.size() << " points, from " << path.front() << " to " << path.back() << std::endl;
   return 0;
 }

@@ -23,7 +23,6 @@
 #include <memory>
 #include <optional>
 #include <stdexcept>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -162,7 +161,6 @@ public:
   /// sets up the mesh.
   /// \param tm the mesh
   /// \param np an optional sequence of named parameters, those of `Geodesic_mesh::Geodesic_mesh()`
-  /// \pre All faces of `tm` are triangles with three different vertices.
   /// \throws std::invalid_argument and std::length_error as `Geodesic_mesh::Geodesic_mesh()`
   template <class NamedParameters = parameters::Default_named_parameters>
   explicit Surface_mesh_geodesic_offset(const Triangle_mesh& tm, const NamedParameters& np = parameters::default_values())
@@ -194,7 +192,8 @@ public:
 
   /// \name Sources
   /// Each function that adds a source returns its id: 0, 1, 2, ... Ids of removed sources are not used again. If a function
-  /// throws, it has added nothing.
+  /// throws, it has added nothing. An element of another mesh is recognized by its descriptor: if that is also the descriptor of an
+  /// element of this mesh, as indices are, it stands for this element.
   ///
   /// A source may have a *start value*, a distance that is added to all distances from the source. Distances are then
   /// \f$\min_i (s_i + d_i)\f$ over the sources \f$i\f$ with their start values \f$s_i\f$, and with the distances
@@ -208,9 +207,8 @@ public:
   /// \param v the vertex
   /// \param np an optional named parameter, `start_value(s)`: the start value, a finite number that is not negative (default:
   ///        0)
-  /// \pre The vertex belongs to the mesh.
-  /// \throws std::invalid_argument if the vertex is null, or if its index is out of range, or if the start value is not a
-  ///         finite number or is negative.
+  /// \throws std::invalid_argument if the vertex is null, removed or of another mesh, or if the start value is not a finite
+  ///         number or is negative.
   template <class NamedParameters = parameters::Default_named_parameters>
   std::size_t add_source_point(vertex_descriptor v, const NamedParameters& np = parameters::default_values())
   {
@@ -221,8 +219,8 @@ public:
   /// (1e-13), the point is the nearest one of the edge; if two are, it is at the vertex.
   /// \param location the point
   /// \param np as for a vertex
-  /// \throws std::invalid_argument if the coordinates are not finite, if they are outside the face, if their sum is not
-  ///         positive, or if the start value is not a finite number or is negative.
+  /// \throws std::invalid_argument if the face is null, removed or of another mesh, if the coordinates are not finite, if they are
+  ///         outside the face, if their sum is not positive, or if the start value is not a finite number or is negative.
   template <class NamedParameters = parameters::Default_named_parameters>
   std::size_t add_source_point(const Face_location& location, const NamedParameters& np = parameters::default_values())
   {
@@ -239,7 +237,8 @@ public:
 
   /// adds each point of a range as a source of its own.
   /// \return the ids of the sources, in the order of the range
-  /// \tparam LocationRange a model of `ConstRange` with `vertex_descriptor` or `Face_location` as value type
+  /// \tparam LocationRange a model of `ConstRange` with `vertex_descriptor`, `Face_location`, or a location with the coordinates of
+  ///         another kernel, as value type
   /// \param locations the points
   /// \param np as for a vertex; the start value is that of all points
   /// \throws std::invalid_argument as `add_source_point()` does; no point has been added then.
@@ -248,40 +247,58 @@ public:
                                              const NamedParameters& np = parameters::default_values())
   {
     Source_set set;
-    for (const auto& l : locations) Geodesic_offset::internal::add_point<FT>(set, l, np);
+    for (const auto& l : locations) Geodesic_offset::internal::add_point(set, l, np);
     return add_sources(set);
   }
 
   /// adds a polyline whose vertices lie anywhere on the surface, and each of whose segments is straight within one closed
   /// face. The polyline may cross itself and other sources. Repeated points are allowed; a polyline of one point is a point.
   ///
-  /// \tparam FaceLocationRange a model of `ConstRange` with `Face_location` as value type
+  /// \tparam FaceLocationRange a model of `ConstRange` with `Face_location`, or a location with the coordinates of another kernel,
+  ///         as value type
   /// \param locations the vertices of the polyline
-  /// \param closed whether the last point is joined to the first one
-  /// \param np as for a vertex
-  /// \throws std::invalid_argument if the range is empty, if two consecutive points have no face in common, or if the start
-  ///         value is not a finite number or is negative.
+  /// \param np an optional sequence of named parameters among those listed below
+  ///
+  /// \cgalNamedParamsBegin
+  ///   \cgalParamNBegin{is_closed}
+  ///     \cgalParamDescription{whether the last point is joined to the first one}
+  ///     \cgalParamType{`bool`}
+  ///     \cgalParamDefault{`false`}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{start_value}
+  ///     \cgalParamDescription{the start value}
+  ///     \cgalParamType{convertible to `FT`, a finite number that is not negative}
+  ///     \cgalParamDefault{0}
+  ///   \cgalParamNEnd
+  /// \cgalNamedParamsEnd
+  ///
+  /// \throws std::invalid_argument if the range is empty, if two consecutive points have no face in common, if a location is not
+  ///         valid, or if the start value is not a finite number or is negative.
   template <class FaceLocationRange, class NamedParameters = parameters::Default_named_parameters>
-  std::size_t add_source_polyline(const FaceLocationRange& locations, bool closed = false,
+  std::size_t add_source_polyline(const FaceLocationRange& locations, const NamedParameters& np = parameters::default_values())
+  {
+    Source_set set;
+    set.add_polyline(locations, np);
+    return add(set.sources().begin()->second);
+  }
+
+  /// Overload for a polyline that is open or closed itself, such as the results of `locate_polyline()`, `join_polyline()` and
+  /// `plane_section()`. The only named parameter is `start_value`.
+  template <class Location, class NamedParameters = parameters::Default_named_parameters>
+  std::size_t add_source_polyline(const Geodesic_polyline<Location>& polyline,
                                   const NamedParameters& np = parameters::default_values())
   {
-    Source s{closed ? Kind::CLOSED_POLYLINE : Kind::OPEN_POLYLINE,
-             no_vertex(),
-             {},
-             {},
-             Geodesic_offset::internal::start_value_of<FT>(np)};
-    for (const auto& l : locations) s.locations.push_back(Geodesic_offset::internal::converted_location<FT>(l));
-    return add(std::move(s));
+    Source_set set;
+    set.add_polyline(polyline, np);
+    return add(set.sources().begin()->second);
   }
 
   /// adds a set of edges.
   /// \tparam EdgeRange a model of `ConstRange` with `edge_descriptor` as value type
   /// \param edges the edges
   /// \param np as for a vertex
-  /// \pre The edges belong to the mesh.
-  /// \throws std::invalid_argument if the range is empty, or if an edge has no face, or if an edge is null or of another mesh, or
-  ///         if the start value is not a finite number or is negative. An edge of another mesh that has the descriptor of an
-  ///         edge of this mesh, an index for instance, is that edge.
+  /// \throws std::invalid_argument if the range is empty, if an edge has no face, if an edge is null, removed or of another mesh,
+  ///         or if the start value is not a finite number or is negative.
   template <class EdgeRange, class NamedParameters = parameters::Default_named_parameters>
   std::size_t add_source_edges(const EdgeRange& edges, const NamedParameters& np = parameters::default_values())
   {
@@ -311,8 +328,8 @@ public:
   }
 
   /// adds one boundary cycle, that of a border halfedge: a set of edges. Edges without a face are left out.
-  /// \pre The halfedge belongs to the mesh.
-  /// \throws std::invalid_argument if the halfedge is not a border halfedge, or is null, or if no edge of the cycle has a face.
+  /// \throws std::invalid_argument if the halfedge is not a border halfedge, if it is null, removed or of another mesh, or if no
+  ///         edge of the cycle has a face.
   std::size_t add_source_boundary(halfedge_descriptor border) { return add_source_edges(m_mesh.boundary_edges(border)); }
 
   /// adds the edges that `sharp_edges()` finds, as one source.
@@ -334,7 +351,7 @@ public:
   {
     const Plane_section section = plane_section(plane);
     Source_set set;
-    for (const auto& polyline : section.polylines) set.add_polyline(polyline.locations, polyline.is_closed);
+    for (const auto& polyline : section.polylines) set.add_polyline(polyline);
     if (!section.touched_edges.empty()) set.add_edges(section.touched_edges);
     for (const vertex_descriptor v : section.touched_vertices) set.add_vertex(v);
     return add_sources(set);
@@ -576,7 +593,7 @@ public:
 
   /// forwards to `Geodesic_distance_field::signed_distance_to_sources()`.
   template <class Location>
-  double signed_distance_to_sources(const Location& location) const
+  std::optional<double> signed_distance_to_sources(const Location& location) const
   {
     return field().signed_distance_to_sources(location);
   }
@@ -590,7 +607,7 @@ public:
 
   /// forwards to `Geodesic_distance_field::gradient()`.
   template <class Location>
-  Vector_3 gradient(const Location& location) const
+  std::optional<Vector_3> gradient(const Location& location) const
   {
     return field().gradient(location);
   }
@@ -613,13 +630,13 @@ public:
   }
 
   /// forwards to `Geodesic_distance_field::largest_vertex_distance()`.
-  FT largest_vertex_distance() const { return field().largest_vertex_distance(); }
+  std::optional<FT> largest_vertex_distance() const { return field().largest_vertex_distance(); }
 
   /// forwards to `Geodesic_distance_field::farthest_point()`.
-  std::pair<Face_location, FT> farthest_point() const { return field().farthest_point(); }
+  std::optional<std::pair<Face_location, FT>> farthest_point() const { return field().farthest_point(); }
 
   /// forwards to `Geodesic_distance_field::largest_distance()`.
-  FT largest_distance() const { return field().largest_distance(); }
+  std::optional<FT> largest_distance() const { return field().largest_distance(); }
 
   /// forwards to `Geodesic_distance_field::shortest_path_to_sources()`.
   template <class Location, class OutputIterator>
@@ -670,45 +687,62 @@ public:
   /// @{
 
   /// forwards to `Geodesic_mesh::locate()`.
-  Face_location locate(const Point_3& p) const { return m_mesh.locate(p); }
+  template <class NamedParameters = parameters::Default_named_parameters>
+  Face_location locate(const Point_3& p, const NamedParameters& np = parameters::default_values()) const
+  {
+    return m_mesh.locate(p, np);
+  }
 
-  /// Overload with a tolerance.
-  Face_location locate(const Point_3& p, const FT& tolerance) const { return m_mesh.locate(p, tolerance); }
+  /// Overload for a point of another kernel.
+  template <class Point, class NamedParameters = parameters::Default_named_parameters>
+  Face_location locate(const Point& p, const NamedParameters& np = parameters::default_values()) const
+  {
+    return m_mesh.locate(p, np);
+  }
 
   /// forwards to `Geodesic_mesh::locate()`.
-  std::optional<Face_location> locate(const Ray_3& r) const { return m_mesh.locate(r); }
-
-  /// Overload with a tolerance.
-  std::optional<Face_location> locate(const Ray_3& r, const FT& tolerance) const { return m_mesh.locate(r, tolerance); }
+  template <class NamedParameters = parameters::Default_named_parameters>
+  std::optional<Face_location> locate(const Ray_3& r, const NamedParameters& np = parameters::default_values()) const
+  {
+    return m_mesh.locate(r, np);
+  }
 
   /// forwards to `Geodesic_mesh::locate_with_distance()`.
-  std::pair<Face_location, FT> locate_with_distance(const Point_3& p) const { return m_mesh.locate_with_distance(p); }
-
-  /// Overload with a tolerance.
-  std::pair<Face_location, FT> locate_with_distance(const Point_3& p, const FT& tolerance) const
+  template <class NamedParameters = parameters::Default_named_parameters>
+  std::pair<Face_location, FT> locate_with_distance(const Point_3& p,
+                                                    const NamedParameters& np = parameters::default_values()) const
   {
-    return m_mesh.locate_with_distance(p, tolerance);
+    return m_mesh.locate_with_distance(p, np);
+  }
+
+  /// Overload for a point of another kernel.
+  template <class Point, class NamedParameters = parameters::Default_named_parameters>
+  std::pair<Face_location, FT> locate_with_distance(const Point& p,
+                                                    const NamedParameters& np = parameters::default_values()) const
+  {
+    return m_mesh.locate_with_distance(p, np);
   }
 
   /// forwards to `Geodesic_mesh::locate_polyline()`.
-  template <class PointRange>
-  Polyline locate_polyline(const PointRange& points, bool closed = false) const
+  template <class PointRange, class NamedParameters = parameters::Default_named_parameters>
+  Polyline locate_polyline(const PointRange& points, const NamedParameters& np = parameters::default_values()) const
   {
-    return m_mesh.locate_polyline(points, closed);
+    return m_mesh.locate_polyline(points, np);
   }
 
   /// forwards to `Geodesic_mesh::locate_polyline_with_distance()`.
-  template <class PointRange>
-  std::pair<Polyline, FT> locate_polyline_with_distance(const PointRange& points, bool closed = false) const
+  template <class PointRange, class NamedParameters = parameters::Default_named_parameters>
+  std::pair<Polyline, FT> locate_polyline_with_distance(const PointRange& points,
+                                                        const NamedParameters& np = parameters::default_values()) const
   {
-    return m_mesh.locate_polyline_with_distance(points, closed);
+    return m_mesh.locate_polyline_with_distance(points, np);
   }
 
   /// forwards to `Geodesic_mesh::join_polyline()`.
-  template <class FaceLocationRange>
-  Polyline join_polyline(const FaceLocationRange& locations, bool closed = false) const
+  template <class FaceLocationRange, class NamedParameters = parameters::Default_named_parameters>
+  Polyline join_polyline(const FaceLocationRange& locations, const NamedParameters& np = parameters::default_values()) const
   {
-    return m_mesh.join_polyline(locations, closed);
+    return m_mesh.join_polyline(locations, np);
   }
 
   /// forwards to `Geodesic_mesh::plane_section()`.

@@ -37,7 +37,7 @@ struct Known_source
   std::size_t add_to(Geodesic& geodesic) const
   {
     return kind == POINT    ? geodesic.add_source_point(locations.front())
-         : kind == POLYLINE ? geodesic.add_source_polyline(locations, is_closed)
+         : kind == POLYLINE ? geodesic.add_source_polyline(locations, CGAL::parameters::is_closed(is_closed))
                             : geodesic.add_source_edges(edges);
   }
 
@@ -114,8 +114,8 @@ public:
     detail_.clear();
     const double d = geodesic.distance_to_sources(query);
     const auto nearest = geodesic.nearest_source(query);
-    const double signed_d = geodesic.signed_distance_to_sources(query);
-    const Vector_3 gradient = geodesic.gradient(query);
+    const double signed_d = or_nan(geodesic.signed_distance_to_sources(query));
+    const Vector_3 gradient = geodesic.gradient(query).value_or(CGAL::NULL_VECTOR);
     std::vector<Face_location> path;
     geodesic.shortest_path_to_sources(query, std::back_inserter(path));
     if (is_flat_) check_distance(sources, query, d);

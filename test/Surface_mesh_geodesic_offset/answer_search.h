@@ -313,7 +313,7 @@ private:
   Known_source joined(Geodesic& geodesic, const std::vector<Face_location>& through, bool is_closed, double shortest,
                       Answer_counts& counts)
   {
-    const Geodesic::Polyline polyline = geodesic.join_polyline(through, is_closed);
+    const Geodesic::Polyline polyline = geodesic.join_polyline(through, CGAL::parameters::is_closed(is_closed));
     if (checker_->repeats_points(polyline.locations, polyline.is_closed) || !checker_->is_connected(polyline.locations))
     {
       ++counts.wrong_polylines;
@@ -521,7 +521,7 @@ private:
     if (const auto n = geodesic.nearest_source(query))
     {
       log_ << "  distance " << n->distance << ", source " << n->source << (n->is_segment ? ", segment " : ", point ") << n->part
-           << ", side " << int(n->side) << ", gradient " << geodesic.gradient(query) << ", path\n";
+           << ", side " << int(n->side) << ", gradient " << geodesic.gradient(query).value_or(CGAL::NULL_VECTOR) << ", path\n";
       std::vector<Face_location> path;
       geodesic.shortest_path_to_sources(query, std::back_inserter(path));
       for (const Face_location& l : path) write(l);

@@ -84,7 +84,7 @@ public:
         const std::size_t t = s.place.triangle;
         const std::vector<Enclosure::Face_location> ends = {location(data, c, {t, s.place.first}),
                                                             location(data, c, {t, s.place.second})};
-        enclosure.add_source_polyline(ends, false, CGAL::parameters::start_value(s.start_value));
+        enclosure.add_source_polyline(ends, CGAL::parameters::start_value(s.start_value));
       }
       const std::vector<Number> distances = distances_of(c);
       for (const bool keeps : {false, true})

@@ -12,6 +12,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset.h>
 
 #include <limits>
+#include <optional>
 
 namespace test {
 
@@ -23,6 +24,12 @@ using Geodesic_on = CGAL::Surface_mesh_geodesic_offset<CGAL::Surface_mesh_geodes
 typedef Geodesic_on<Surface_mesh> Geodesic;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// A signed distance, or not a number if there is none.
+inline double or_nan(const std::optional<double>& distance)
+{
+  return distance.value_or(std::numeric_limits<double>::quiet_NaN());
+}
 
 } // namespace test
 

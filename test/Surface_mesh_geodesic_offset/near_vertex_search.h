@@ -582,7 +582,7 @@ private:
     if (uniform(random_) < 0.2)
     { // joined to a point elsewhere
       polyline.push_back(location(soup, data, {uniform_index(random_, soup.triangles.size()), anywhere()}));
-      const Geodesic::Polyline joined = geodesic.join_polyline(polyline, is_closed);
+      const Geodesic::Polyline joined = geodesic.join_polyline(polyline, CGAL::parameters::is_closed(is_closed));
       polyline = joined.locations;
       is_closed = joined.is_closed;
     }
@@ -621,7 +621,7 @@ private:
     for (const Point_3& p : soup.points) points.push_back({p.x(), p.y(), p.z()});
     Reference_distances reference(points, soup.triangles);
     reference.solve({}, sources, queries, segments);
-    geodesic.add_source_polyline(polyline, is_closed);
+    geodesic.add_source_polyline(polyline, CGAL::parameters::is_closed(is_closed));
     geodesic.build(CGAL::parameters::keep_windows(true));
     compare(
       soup, data, geodesic, queries, [&](std::size_t q) { return double(reference.of_query(q)); },

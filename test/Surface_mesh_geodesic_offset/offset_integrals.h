@@ -74,7 +74,7 @@ public:
       if (std::isfinite(d)) vertex_distances_.push_back(d);
     }
     std::sort(vertex_distances_.begin(), vertex_distances_.end());
-    largest_distance_ = geodesic.largest_distance();
+    largest_distance_ = geodesic.largest_distance().value();
     for (const auto h : mesh.halfedges())
       if (!mesh.is_border(h))
         mean_edge_length_ += std::sqrt(CGAL::squared_distance(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)))) /

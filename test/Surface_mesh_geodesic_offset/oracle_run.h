@@ -108,7 +108,7 @@ private:
     name_ += " of " + std::to_string(mesh.number_of_faces()) + " faces, " + sources.kind;
     geodesic.build(CGAL::parameters::keep_windows(true));
     const Judged_surface surface(geodesic, mesh);
-    const double largest = geodesic.largest_distance();
+    const double largest = geodesic.largest_distance().value();
     const Field_features features(geodesic, mesh, surface, random);
     std::vector<double> levels = Level_drawing(features, surface.diagonal(), random)(4);
     for (int i = 0; i < 4; ++i) levels.push_back(uniform(random, 0.001, 1) * largest);

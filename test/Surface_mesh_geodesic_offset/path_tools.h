@@ -153,7 +153,7 @@ public:
     if (path.empty() || !nearest)
     {
       ++totals.unreachable;
-      CHECK(geodesic.gradient(query) == CGAL::NULL_VECTOR);
+      CHECK(!geodesic.gradient(query));
       return path;
     }
     CHECK_DETAIL(nearest->distance == d, values(nearest->distance, d));
@@ -171,7 +171,7 @@ public:
     const double error = std::abs(length - d) / (std::max)(d, mean_edge);
     totals.worst_length = (std::max)(totals.worst_length, error);
     CHECK_DETAIL(error <= 1e-12, values(length, d));
-    check_gradient(geodesic.gradient(query), path);
+    check_gradient(geodesic.gradient(query).value_or(CGAL::NULL_VECTOR), path);
     return path;
   }
 
@@ -265,7 +265,7 @@ struct Any_source
   std::size_t add_to(Geodesic& geodesic) const
   {
     return locations.size() == 1 ? geodesic.add_source_point(locations.front())
-                                 : geodesic.add_source_polyline(locations, closed);
+                                 : geodesic.add_source_polyline(locations, CGAL::parameters::is_closed(closed));
   }
 };
 

@@ -68,7 +68,7 @@ public:
 
   std::size_t add(Geodesic& geodesic, const std::vector<Point_2>& points, bool closed = false) const
   {
-    return geodesic.add_source_polyline(path(points, closed).locations, closed);
+    return geodesic.add_source_polyline(path(points, closed).locations, CGAL::parameters::is_closed(closed));
   }
 
   Data data;

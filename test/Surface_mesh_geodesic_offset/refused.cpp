@@ -41,7 +41,10 @@ typedef Computing_traits_of<Own_traits> Computing_traits_2;
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_geodesic_offset.h>
+#include <CGAL/Surface_mesh_geodesic_offset/IO/write_offset_curves.h>
+#include <CGAL/Surface_mesh_geodesic_offset/Surface_mesh_geodesic_enclosure.h>
 
+#include <iostream>
 #include <iterator>
 #include <vector>
 
@@ -52,7 +55,8 @@ typedef CGAL::Surface_mesh_geodesic_offset<CGAL::Surface_mesh_geodesic_offset_tr
 namespace parameters = CGAL::parameters;
 
 // Each call has a message of its own.
-void refused(const Mesh& mesh, Geodesic& geodesic, std::vector<Geodesic::Offset_curve>& curves)
+void refused(const Mesh& mesh, Geodesic& geodesic, std::vector<Geodesic::Offset_curve>& curves,
+             Mesh::Property_map<Mesh::Edge_index, double> lengths)
 {
   // of another function of CGAL, at the end of a chain
   geodesic.build(parameters::keep_windows(true).number_of_iterations(3));
@@ -65,6 +69,16 @@ void refused(const Mesh& mesh, Geodesic& geodesic, std::vector<Geodesic::Offset_
   Geodesic refused(mesh, parameters::keep_windows(true));
   geodesic.update(parameters::visitor([](double) { return true; }).distance_limit(1.));
   geodesic.offset_curves(1., std::back_inserter(curves), parameters::distance_limit(1.));
+  // of a mesh without points, for an enclosure; of a build with a limit
+  CGAL::Surface_mesh_geodesic_enclosure<Geodesic::Traits> enclosure(mesh, parameters::edge_length_map(lengths));
+  enclosure.build(parameters::distance_limit(1.));
+  // of a polyline that is closed or open itself; of a point in space; what was positional
+  geodesic.add_source_polyline(Geodesic::Polyline(), parameters::start_value(1.).is_closed(true));
+  geodesic.locate(Kernel::Point_3(0, 0, 0), parameters::is_closed(true));
+  geodesic.locate_polyline(std::vector<Kernel::Point_3>(), true);
+  // of files with a unit, and of files with chords
+  CGAL::IO::write_offset_CSV(std::cout, curves, parameters::length_unit(CGAL::IO::Length_unit::METER));
+  CGAL::IO::write_offset_SVG(std::cout, curves, parameters::chord_tolerance(0.1));
 }
 
 #else

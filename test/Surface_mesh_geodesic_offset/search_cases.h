@@ -293,7 +293,7 @@ struct Search_sources
   {
     for (const auto v : vertices) geodesic.add_source_point(v);
     for (const Face_location& p : points) geodesic.add_source_point(p);
-    for (const auto& p : polylines) geodesic.add_source_polyline(p.locations, p.is_closed);
+    for (const auto& p : polylines) geodesic.add_source_polyline(p);
     if (!edges.empty()) geodesic.add_source_edges(edges);
   }
 
@@ -480,7 +480,7 @@ private:
   {
     std::vector<Face_location> corners;
     for (std::size_t i = 0, n = (closed ? 3 : 2) + uniform_index(random_, 3); i < n; ++i) corners.push_back(anywhere());
-    return geodesic_.join_polyline(corners, closed);
+    return geodesic_.join_polyline(corners, CGAL::parameters::is_closed(closed));
   }
 
   Geodesic::Plane_3 random_plane()

@@ -355,7 +355,7 @@ private:
     for (Vertex_index v : vertices(*mesh_))
     {
       if (sign(v) == 0) continue;
-      const double d = alone.signed_distance_to_sources(v);
+      const double d = or_nan(alone.signed_distance_to_sources(v));
       std::vector<Face_location> path;
       alone.shortest_path_to_sources(v, std::back_inserter(path));
       if (path.size() != 2 || std::isnan(d)) continue;

@@ -50,7 +50,7 @@ struct Case
     sources.push_back(s);
     s.add_to(exact);
     if (s.locations.size() == 1) enclosure.add_source_point(s.locations.front());
-    else enclosure.add_source_polyline(s.locations, s.closed);
+    else enclosure.add_source_polyline(s.locations, CGAL::parameters::is_closed(s.closed));
   }
 
   void build()
@@ -145,7 +145,7 @@ std::vector<double> levels_of(const Case& c, Random& random, double relative, do
 {
   Geodesic g = c.with_sources();
   g.build(parameters::relative_tolerance(relative).merging_tolerance(absolute));
-  const double largest = c.exact.largest_vertex_distance();
+  const double largest = c.exact.largest_vertex_distance().value();
   std::vector<double> levels{1e-3 * largest};
   for (int i = 1; i <= 4; ++i) levels.push_back(largest * (i - 0.37) / 4);
   for (int i = 0; i < 2; ++i)
@@ -162,7 +162,7 @@ std::vector<double> levels_of(const Case& c, Random& random, double relative, do
 void check_case(Case& c, Random& random)
 {
   c.build();
-  const double absolute = 1e-3 * c.exact.largest_vertex_distance();
+  const double absolute = 1e-3 * c.exact.largest_vertex_distance().value();
   for (const double t : {1e-6, 1e-4, 1e-2, 0.3})
     check_with_tolerance(c, levels_of(c, random, t, 0), t, 0, [t](double d) { return t * d / (1 - t); });
   check_with_tolerance(c, levels_of(c, random, 0, absolute), 0, absolute, [absolute](double) { return absolute; });
@@ -216,7 +216,7 @@ void data_meshes()
     c.add({{Face_location(*faces(mesh).begin(), {{0.3, 0.25, 0.45}})}, false});
     c.build();
     std::vector<double> levels;
-    for (int i = 1; i <= 10; ++i) levels.push_back(c.exact.largest_vertex_distance() * (i - 0.37) / 10);
+    for (int i = 1; i <= 10; ++i) levels.push_back(c.exact.largest_vertex_distance().value() * (i - 0.37) / 10);
     for (const double t : {1e-5, 1e-3}) check_with_tolerance(c, levels, t, 0, [t](double d) { return t * d / (1 - t); });
   }
 }

@@ -114,8 +114,8 @@ void contains_200_bits(Query_case& c, unsigned seed, Widths& at_vertices, Widths
     }
     else
     {
-      exact.add_source_polyline(locations, s.closed);
-      enclosure.add_source_polyline(s.locations, s.closed);
+      exact.add_source_polyline(locations, CGAL::parameters::is_closed(s.closed));
+      enclosure.add_source_polyline(s.locations, CGAL::parameters::is_closed(s.closed));
     }
   }
   exact.build(CGAL::parameters::keep_windows(true));

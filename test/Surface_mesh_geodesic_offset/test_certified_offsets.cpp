@@ -148,7 +148,7 @@ void check_interpolation(Case& c, double d, bool has_points)
 
 void check_levels(Case& c, std::size_t levels, bool has_points = true)
 {
-  const double largest = c.geodesic.largest_vertex_distance();
+  const double largest = c.geodesic.largest_vertex_distance().value();
   for (std::size_t i = 1; i <= levels; ++i)
   {
     const double d = largest * (double(i) - 0.37) / double(levels);
@@ -185,13 +185,13 @@ void own_offsets()
         if (s.locations.size() == 1) c.add_source(s.locations.front());
         else
         {
-          c.geodesic.add_source_polyline(s.locations, s.closed);
-          c.enclosure.add_source_polyline(s.locations, s.closed);
+          c.geodesic.add_source_polyline(s.locations, CGAL::parameters::is_closed(s.closed));
+          c.enclosure.add_source_polyline(s.locations, CGAL::parameters::is_closed(s.closed));
         }
       }
       c.build();
       check_levels(c, 4, kind < 2);
-      check_ours(c, 1e-3 * c.geodesic.largest_vertex_distance()); // loops inside faces
+      check_ours(c, 1e-3 * c.geodesic.largest_vertex_distance().value()); // loops inside faces
     }
   CHECK_DETAIL(least_of_interpolation > 1e3 * own_tolerance, values(least_of_interpolation, 0));
 }
@@ -243,7 +243,7 @@ void near_the_farthest_point()
     Report::instance().set_context(c.name);
     c.add_source(Face_location(data.faces[0], {{0.3, 0.25, 0.45}}));
     c.build();
-    const double largest = c.geodesic.largest_distance();
+    const double largest = c.geodesic.largest_distance().value();
     for (double part : {1 - 1e-3, 1 - 1e-6, 1 - 1e-9}) check_ours(c, part * largest);
     // no curve: the region is the surface
     const std::vector<Polyline> none;
@@ -276,7 +276,7 @@ public:
 
   void check()
   {
-    const double d = m_case.geodesic.largest_vertex_distance() * uniform(m_random, 0.1, 0.9);
+    const double d = m_case.geodesic.largest_vertex_distance().value() * uniform(m_random, 0.1, 0.9);
     const Certificate c = m_case.enclosure.certify_offset(d, border());
     CHECK(c.bounds_region);
     const double least = sampled_tolerance(d);
@@ -383,7 +383,7 @@ void faults()
   Case c("faults", data.mesh);
   c.add_source(data.vertices[0]);
   c.build();
-  const double d = 0.5 * c.geodesic.largest_vertex_distance();
+  const double d = 0.5 * c.geodesic.largest_vertex_distance().value();
   const auto curves = c.offsets(d);
   const std::vector<Polyline> good = polylines_of(curves, 1e-6 * c.diagonal);
   const double good_tolerance = c.enclosure.certify_offset(d, good).tolerance;
@@ -618,9 +618,9 @@ void pinched_vertices()
         // but away from the vertex, the fans are one region
         const double deep = 1e-3 * d;
         const Certificate none = c.enclosure.certify_offset(d - deep, std::vector<Polyline>());
-        const double most = c.geodesic.largest_distance() - (d - deep);
+        const double most = c.geodesic.largest_distance().value() - (d - deep);
         CHECK_DETAIL(none.bounds_region && std::abs(none.tolerance - most) <= 1e-11 * c.diagonal, values(none.tolerance, most));
-        if (d < 0.99 * c.geodesic.largest_distance()) ++without_curves;
+        if (d < 0.99 * c.geodesic.largest_distance().value()) ++without_curves;
       }
   }
   CHECK_DETAIL(without_curves > 20, std::to_string(without_curves));

@@ -146,7 +146,7 @@ std::size_t check_rectangle(unsigned seed)
     if (const std::size_t kind = r.number(4); kind == 1) start = 3.2;
     else if (kind == 2 && !sources.empty()) start = double(distance(s.a, sources[0])); // a tie, up to rounding
     s.start_value = Number(start);
-    enclosure.add_source_polyline(polyline, false, CGAL::parameters::start_value(start));
+    enclosure.add_source_polyline(polyline, CGAL::parameters::start_value(start));
     sources.push_back(s);
   }
   if (sources.empty()) return 0;

@@ -84,7 +84,7 @@ public:
       Geodesic geodesic(data_.mesh);
       std::size_t id = 0;
       if (path.locations.size() == 1) id = geodesic.add_source_point(path.locations[0]);
-      else id = geodesic.add_source_polyline(path.locations, closed);
+      else id = geodesic.add_source_polyline(path.locations, CGAL::parameters::is_closed(closed));
       std::vector<Offset_curve> curves;
       geodesic.build_with_offset_curves(level, std::back_inserter(curves));
 

@@ -71,7 +71,7 @@ private:
     {
       Geodesic geodesic(data_.mesh);
       const auto path = generator_.random_path(legs, true);
-      geodesic.add_source_polyline(path.locations, true);
+      geodesic.add_source_polyline(path.locations, CGAL::parameters::is_closed(true));
       compare("closed polyline of " + std::to_string(path.legs.size()) + " legs", geodesic, path.legs);
     }
   }

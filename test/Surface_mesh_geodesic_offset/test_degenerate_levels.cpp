@@ -257,7 +257,7 @@ void loop_of_no_length()
   const auto add_path = [&](Geodesic& g, const std::vector<std::size_t>& path) {
     std::vector<Face_location> points;
     for (std::size_t i : path) points.push_back(locations.at_vertex(data.vertices[i]));
-    g.add_source_polyline(points, false);
+    g.add_source_polyline(points);
   };
   for (const std::vector<std::size_t>& triangle : {std::vector<std::size_t>{1, 7, 0, 1}, {7, 1, 0, 7}})
   {
@@ -550,7 +550,8 @@ void levels_at_start_values()
       std::vector<Face_location> locations;
       for (const auto& l : places) locations.push_back(on_mesh.in_triangle(data, soup, l.first, l.second));
       if (locations.size() == 1) g.add_source_point(locations[0], CGAL::parameters::start_value(start_value));
-      else if (!locations.empty()) g.add_source_polyline(locations, closed, CGAL::parameters::start_value(start_value));
+      else if (!locations.empty())
+        g.add_source_polyline(locations, CGAL::parameters::start_value(start_value).is_closed(closed));
     };
     Geodesic both(data.mesh), other(data.mesh);
     add(other, p.other, false, 0);
@@ -647,7 +648,7 @@ void sides_near_each_other()
     {
       std::vector<Face_location> locations;
       for (const auto& l : polyline) locations.push_back(on_mesh.in_triangle(data, soup, l.first, l.second));
-      geodesic.add_source_polyline(locations, false);
+      geodesic.add_source_polyline(locations);
     }
     geodesic.build(CGAL::parameters::keep_windows(true));
     for (double level = 0x1p-41 * n.longest_edge; level < 1e-11; level *= 1.01)

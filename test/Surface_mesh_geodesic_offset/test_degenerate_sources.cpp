@@ -210,7 +210,7 @@ void gap_between_sources_with_start_values()
       Geodesic geodesic(mesh);
       const std::pair<double, double> ends[] = {{0.1, 0.4}, {0.4 + gap, 0.9}};
       for (const auto& [from, to] : ends)
-        geodesic.add_source_polyline(std::vector<Face_location>{locations.on_edge(h, from), locations.on_edge(h, to)}, false,
+        geodesic.add_source_polyline(std::vector<Face_location>{locations.on_edge(h, from), locations.on_edge(h, to)},
                                      CGAL::parameters::start_value(start));
       const auto field = geodesic.build(CGAL::parameters::keep_windows(true));
       Report::instance().set_context("gap of " + std::to_string(gap) + ", start value " + std::to_string(start));

@@ -56,7 +56,7 @@ void compare(const std::string& name, const Soup& soup, double part, std::size_t
   Geodesic distances(data.mesh), rounded(data.mesh);
   distances.add_source_point(data.vertices[0]);
   distances.build();
-  const double level = part * distances.largest_vertex_distance();
+  const double level = part * distances.largest_vertex_distance().value();
   const Totals expected = offset(rounded, data, level);
   Exact_geodesic exact(data.mesh);
   const std::size_t before = signs_by_exact_arithmetic();

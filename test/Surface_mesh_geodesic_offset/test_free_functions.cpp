@@ -12,6 +12,7 @@
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/locate.h>
 #include <CGAL/Surface_mesh_geodesic_offset/Surface_mesh_geodesic_enclosure.h>
+#include <CGAL/Surface_mesh_geodesic_offset/construct_geodesic_voronoi_diagram.h>
 #include <CGAL/Surface_mesh_geodesic_offset/geodesic_distances.h>
 #include <CGAL/Surface_mesh_geodesic_offset/geodesic_offset_curves.h>
 #include <CGAL/Surface_mesh_geodesic_offset/geodesic_voronoi_labels.h>
@@ -132,14 +133,17 @@ void kinds_of_sources()
   // closed: the last point is the first one
   std::vector<Point_3> ring{point(40), point(47), point(61), point(40)};
   set = Source_set();
-  const Geodesic::Polyline closed = located.locate_polyline(ring, true);
+  const Geodesic::Polyline closed = located.locate_polyline(ring, CGAL::parameters::is_closed(true));
   CHECK(closed.is_closed);
-  set.add_polyline(closed.locations, true);
+  set.add_polyline(closed);
   compare("closed polyline in space", ring, set);
 
   set = Source_set();
   set.add_edges(edges);
   compare("edges", edges, set);
+  Source_set one_edge;
+  one_edge.add_edges(std::vector<Edge_index>{edges[0]});
+  compare("edge", edges[0], one_edge);
 
   set.add_vertex(Vertex_index(3));
   set.add_location(locations[0]);
@@ -249,6 +253,31 @@ void fields()
   CHECK(calls == 3 && geodesic.distance_to_sources(a) == infinity);
 }
 
+// Labels are the ids of a source set, also if it has gaps; the sources of several sets in a range are numbered anew.
+void ids_of_source_sets()
+{
+  Report::instance().set_context("ids of source sets");
+  Source_set set;
+  for (const unsigned v : {3u, 50u, 170u}) set.add_vertex(Vertex_index(v));
+  set.remove(0);
+  const auto labels = [](const auto& sources) {
+    std::vector<std::size_t> result(mesh().number_of_vertices());
+    CGAL::geodesic_voronoi_labels(mesh(), sources, CGAL::make_property_map(result));
+    return result;
+  };
+  const std::vector<std::size_t> of_set = labels(set), of_sets = labels(std::vector<Source_set>{set});
+  CHECK(of_set[50] == 1 && of_set[170] == 2);
+  for (std::size_t i = 0; i < of_set.size(); ++i) CHECK(of_sets[i] + 1 == of_set[i] && (of_set[i] == 1 || of_set[i] == 2));
+  CHECK(labels(CGAL::Geodesic_source_set<Mesh, float>(set)) == of_set); // with numbers of another type
+  const auto diagram = CGAL::construct_geodesic_voronoi_diagram(mesh(), set);
+  const Face_index of_first = mesh().face(mesh().halfedge(Vertex_index(50)));
+  CHECK(diagram.source_at(Face_location(of_first, {{1. / 3, 1. / 3, 1. / 3}})) == 1u);
+
+  // the next id of a converted set is that of the set
+  CGAL::Geodesic_source_set<Mesh, float> converted(set);
+  CHECK(converted.add_vertex(Vertex_index(0)) == 3 && converted.size() == 3);
+}
+
 void source_sets()
 {
   Report::instance().set_context("source sets");
@@ -257,7 +286,8 @@ void source_sets()
   CHECK(set.add_vertex(Vertex_index(3)) == 0 && set.add_location(location(10, 0.2, 0.3)) == 1 &&
         set.add_edges(std::vector<Edge_index>{Edge_index(4)}) == 2);
   set.remove(1);
-  CHECK(set.add_polyline(std::vector<Face_location>{location(10, 0.2, 0.3), location(10, 0.3, 0.2)}, true) == 3);
+  CHECK(set.add_polyline(std::vector<Face_location>{location(10, 0.2, 0.3), location(10, 0.3, 0.2)},
+                         CGAL::parameters::is_closed(true)) == 3);
   CHECK(set.size() == 3 && set.sources().at(3).kind == Source_set::Kind::CLOSED_POLYLINE);
   CHECK_THROWS(set.remove(1), std::invalid_argument);
 
@@ -315,7 +345,8 @@ void other_kernels()
   Geodesic_here geodesic(exact);
   geodesic.add_source_point(exact_location);
   geodesic.add_source_points(std::vector<std::decay_t<decltype(exact_location)>>{exact_location});
-  geodesic.add_source_polyline(std::vector<std::decay_t<decltype(exact_location)>>{exact_location});
+  const std::vector<std::decay_t<decltype(exact_location)>> exact_locations{exact_location};
+  geodesic.add_source_polyline(exact_locations);
   geodesic.build(CGAL::parameters::keep_windows(true));
   CHECK(geodesic.distance_to_sources(exact_location) < 1e-15);
   std::vector<double> expected(exact.number_of_vertices()), found(expected);
@@ -327,6 +358,33 @@ void other_kernels()
   std::vector<Geodesic_here::Face_location> path;
   geodesic.shortest_path_to_sources(exact_location, std::back_inserter(path));
   CHECK(path.size() == 1);
+
+  Geodesic_here::Source_set set;
+  CHECK(set.add_location(exact_location) == 0 && set.add_polyline(exact_locations) == 1);
+  CGAL::geodesic_distances(exact, set, CGAL::make_property_map(found));
+  CHECK(found == expected);
+
+  CGAL::Surface_mesh_geodesic_enclosure<Geodesic_here::Traits> bounds(geodesic.mesh());
+  CHECK(bounds.add_source_point(exact_location) == 0 && bounds.add_source_points(exact_locations).front() == 1 &&
+        bounds.add_source_polyline(exact_locations) == 2);
+  bounds.build();
+  for (std::size_t i = 0; i < expected.size(); ++i)
+    CHECK(std::abs(bounds.distance_bounds(vertices[i]).second - expected[i]) < 1e-13);
+
+  // points in space and locations, for polylines
+  const Exact::Point_3 q = c(soup.triangles[40][0]);
+  const std::vector<Exact::Point_3> exact_points{p, q};
+  const auto converted = [](const Exact::Point_3& x) {
+    return Point_3(CGAL::to_double(x.x()), CGAL::to_double(x.y()), CGAL::to_double(x.z()));
+  };
+  const std::vector<Point_3> points{converted(p), converted(q)};
+  CHECK(geodesic.locate(p) == geodesic.locate(points[0]) && geodesic.mesh().locate(p) == geodesic.locate(points[0]));
+  CHECK(geodesic.locate_with_distance(p) == geodesic.locate_with_distance(points[0]));
+  const auto line = geodesic.locate_polyline(points);
+  CHECK(line.locations.size() > 2 && geodesic.locate_polyline(exact_points).locations == line.locations);
+  const auto joined =
+    geodesic.join_polyline(std::vector<std::decay_t<decltype(exact_location)>>{exact_location, PMP::locate(q, exact)});
+  CHECK(joined.locations.size() == line.locations.size());
 }
 
 } // namespace test_free_functions
@@ -336,6 +394,7 @@ GEODESIC_OFFSET_TEST(test_free_functions)
   kinds_of_sources();
   parameters();
   fields();
+  ids_of_source_sets();
   source_sets();
   other_kernels();
   return Report::instance().finish("test_free_functions");

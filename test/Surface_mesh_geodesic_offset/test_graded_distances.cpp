@@ -125,7 +125,7 @@ public:
     {
       std::vector<Face_location> locations;
       for (const Location& l : polyline) locations.push_back(location(l));
-      geodesic.add_source_polyline(locations, false, np);
+      geodesic.add_source_polyline(locations, np);
     }
     std::vector<Surface_mesh::Edge_index> edges;
     for (const auto& [triangle, k] : s.edges)

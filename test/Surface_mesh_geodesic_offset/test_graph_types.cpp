@@ -16,6 +16,7 @@
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Polyhedron_items_with_id_3.h>
 #include <CGAL/Surface_mesh_geodesic_offset/geodesic_distances.h>
+#include <CGAL/Surface_mesh_geodesic_offset/shortest_path_to_sources.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/Face_filtered_graph.h>
 #include <CGAL/boost/graph/Seam_mesh.h>
@@ -28,12 +29,16 @@
 #include <CGAL/boost/graph/graph_traits_TriMesh_ArrayKernelT.h>
 #endif
 
+#include <boost/property_map/property_map.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <set>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace test_graph_types {
@@ -177,6 +182,28 @@ Mesh with_garbage(const Soup& soup)
   return mesh;
 }
 
+#ifdef GEODESIC_OFFSET_HAS_OPENMESH
+/// Smart handles, which the ranges of OpenMesh have, are sources as handles are.
+template <class Graph>
+void smart_handles(const Graph& mesh)
+{
+  typedef typename boost::graph_traits<Graph>::vertex_descriptor Vertex;
+  static_assert(!std::is_same<std::decay_t<decltype(*vertices(mesh).begin())>, Vertex>::value, "the handles are smart");
+  std::map<Vertex, double> expected, found;
+  CGAL::geodesic_distances(mesh, Vertex(0), boost::make_assoc_property_map(expected));
+  CGAL::geodesic_distances(mesh, *vertices(mesh).begin(), boost::make_assoc_property_map(found));
+  CHECK(found == expected && found.size() == num_vertices(mesh) && found.at(Vertex(1)) > 0);
+  CGAL::geodesic_distances(mesh, vertices(mesh), boost::make_assoc_property_map(found));
+  for (const auto& [v, distance] : found) CHECK(distance == 0);
+  CGAL::geodesic_distances(mesh, *edges(mesh).begin(), boost::make_assoc_property_map(found));
+  const auto h = halfedge(*edges(mesh).begin(), mesh);
+  CHECK(found.at(source(h, mesh)) == 0 && found.at(target(h, mesh)) == 0);
+  std::vector<Point_3> path;
+  CGAL::shortest_path_to_sources(mesh, *vertices(mesh).begin(), Vertex(1), std::back_inserter(path));
+  CHECK(path.size() > 1);
+}
+#endif
+
 void run(const std::string& name, const Soup& soup, Worst_error& worst)
 {
   const auto none = CGAL::parameters::default_values();
@@ -237,6 +264,7 @@ void run(const std::string& name, const Soup& soup, Worst_error& worst)
   for (const Point_3& p : soup.points) handles.push_back(open_mesh.add_vertex(OpenMesh::Vec3d(p.x(), p.y(), p.z())));
   for (const auto& c : soup.triangles) open_mesh.add_face(handles[c[0]], handles[c[1]], handles[c[2]]);
   compare(name + ", OpenMesh", open_mesh, soup, expected, worst, none);
+  smart_handles(open_mesh);
 #endif
 
   Mesh with_lengths = data.mesh;

@@ -177,7 +177,8 @@ void with_points(const Planar_mesh& plane)
     for (const Offset_piece& piece : curve.pieces()) CHECK((piece.side() == CGAL::Source_side::NONE) == (piece.source() != 0));
   // a closed polyline without extent is a point
   geodesic.clear_sources();
-  geodesic.add_source_polyline(std::vector<Face_location>(3, plane.location(Point_2(1.5, 1.5))), true);
+  geodesic.add_source_polyline(std::vector<Face_location>(3, plane.location(Point_2(1.5, 1.5))),
+                               CGAL::parameters::is_closed(true));
   geodesic.build();
   check(geodesic, d, Offset_side::INSIDE, 1, 2 * CGAL_PI * d);
 }
@@ -214,7 +215,7 @@ void sections_of_boxes()
         const auto sections = plane_section(box.mesh, Point_3(0, 0, z), Vector_3(0, 0, up));
         if (!CHECK(sections.size() == 1 && sections[0].closed)) continue;
         Geodesic geodesic(box.mesh);
-        geodesic.add_source_polyline(sections[0].locations, true);
+        geodesic.add_source_polyline(sections[0].locations, CGAL::parameters::is_closed(true));
         geodesic.build(CGAL::parameters::keep_windows(true));
         for (const Offset_side side : {Offset_side::INSIDE, Offset_side::OUTSIDE})
         {
@@ -253,7 +254,7 @@ void check_without_inside(const test::Surface_mesh& mesh, const std::vector<Face
   const auto v = *vertices(mesh).begin();
   const double distance = geodesic.distance_to_sources(v);
   geodesic.clear_sources();
-  geodesic.add_source_polyline(locations, closed);
+  geodesic.add_source_polyline(locations, CGAL::parameters::is_closed(closed));
   Offset_curves curves;
   const auto never = [](double, Offset_curves&&) { CHECK(!"a curve of a selection that is refused"); };
   for (const Offset_side side : {Offset_side::INSIDE, Offset_side::OUTSIDE})
@@ -307,7 +308,7 @@ void no_inside()
       std::vector<Face_location> square{at(1, 1), at(2, 1), at(2, 2), at(1, 2)};
       if (turned) std::reverse(square.begin(), square.end());
       Geodesic geodesic(data.mesh);
-      geodesic.add_source_polyline(square, true);
+      geodesic.add_source_polyline(square, CGAL::parameters::is_closed(true));
       geodesic.build();
       const Offset_curves inside = offsets(geodesic, 0.01, Offset_side::INSIDE),
                           outside = offsets(geodesic, 0.01, Offset_side::OUTSIDE);

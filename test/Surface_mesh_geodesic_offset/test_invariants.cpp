@@ -230,7 +230,7 @@ void kept_windows_beside_source()
     {f[7], {{4.25915816853484e-05, 0.1297785241843574, 0.87017888423395728}}}};
   const std::vector<Geodesic::Face_location> segment = {{f[0], {{0.5, 0, 0.5}}}, {f[9], {{0.5, 0.5, 0}}}};
   Geodesic geodesic(mesh);
-  geodesic.add_source_polyline(loop, true);
+  geodesic.add_source_polyline(loop, CGAL::parameters::is_closed(true));
   geodesic.build(CGAL::parameters::keep_windows(true));
   geodesic.add_source_polyline(segment);
   CHECK(!is_stopped([&] { geodesic.update(); }, "are_in_order"));

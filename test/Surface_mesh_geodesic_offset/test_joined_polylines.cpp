@@ -91,15 +91,15 @@ public:
     geodesic.clear_sources();
     if (std::isinf(expected))
     {
-      CHECK_THROWS(geodesic.join_polyline(locations, closed), std::invalid_argument);
+      CHECK_THROWS(geodesic.join_polyline(locations, CGAL::parameters::is_closed(closed)), std::invalid_argument);
       return;
     }
-    const Polyline polyline = geodesic.join_polyline(locations, closed);
+    const Polyline polyline = geodesic.join_polyline(locations, CGAL::parameters::is_closed(closed));
     const double actual = length(polyline);
     CHECK_DETAIL(std::abs(actual - expected) <= 1e-12 * expected, values(actual, expected));
     CHECK(polyline.is_closed == closed || polyline.locations.size() < 3);
     CHECK(polyline.locations.front() == locations.front() && (closed || polyline.locations.back() == locations.back()));
-    CHECK(geodesic.add_source_polyline(polyline.locations, polyline.is_closed) < std::size_t(-1));
+    CHECK(geodesic.add_source_polyline(polyline) < std::size_t(-1));
   }
 
   Geodesic geodesic;
@@ -168,16 +168,17 @@ void points_in_space()
                                        Point_3(2.5, 12.25, 2)};
   const auto close = [](double x, double y) { return std::abs(x - y) <= 1e-13 * y; };
   CHECK(close(check.length(geodesic.locate_polyline(square)), 14.5 + 9.25 + 14.5));
-  CHECK(close(check.length(geodesic.locate_polyline(square, true)), 2 * (14.5 + 9.25)));
+  CHECK(close(check.length(geodesic.locate_polyline(square, CGAL::parameters::is_closed(true))), 2 * (14.5 + 9.25)));
   std::vector<Point_3> twice;
   for (const Point_3& p : square) twice.insert(twice.end(), 2, p);
   twice.push_back(square.front());
   for (const auto& points : {square, twice}) // the first point may be repeated
   {
-    const auto polyline = geodesic.locate_polyline(points, true);
-    CHECK(polyline.is_closed && polyline.locations.size() == geodesic.locate_polyline(square, true).locations.size());
+    const auto polyline = geodesic.locate_polyline(points, CGAL::parameters::is_closed(true));
+    CHECK(polyline.is_closed &&
+          polyline.locations.size() == geodesic.locate_polyline(square, CGAL::parameters::is_closed(true)).locations.size());
     Geodesic again(data.mesh);
-    again.add_source_polyline(polyline.locations, polyline.is_closed);
+    again.add_source_polyline(polyline);
     again.build(CGAL::parameters::keep_windows(true));
     CHECK(close(again.distance_to_sources(geodesic.locate(Point_3(10, 8, 0))), 4.25));
     CHECK(close(again.distance_to_sources(geodesic.locate(Point_3(10, 0, 0))), 3));
@@ -188,13 +189,14 @@ void points_in_space()
   {
     for (const std::size_t n : {1, 2, 3}) // one point
     {
-      const auto polyline = geodesic.locate_polyline(std::vector<Point_3>(n, p), closed);
+      const auto polyline = geodesic.locate_polyline(std::vector<Point_3>(n, p), CGAL::parameters::is_closed(closed));
       CHECK(!polyline.is_closed && polyline.locations.size() == 1);
     }
-    CHECK_THROWS(geodesic.locate_polyline(std::vector<Point_3>(), closed), std::invalid_argument);
-    CHECK_THROWS(geodesic.locate_polyline(std::vector<Point_3>{p, Point_3(infinity, 0, 0)}, closed), std::invalid_argument);
+    CHECK_THROWS(geodesic.locate_polyline(std::vector<Point_3>(), CGAL::parameters::is_closed(closed)), std::invalid_argument);
+    CHECK_THROWS(geodesic.locate_polyline(std::vector<Point_3>{p, Point_3(infinity, 0, 0)}, CGAL::parameters::is_closed(closed)),
+                 std::invalid_argument);
     const std::vector<Geodesic::Face_location> outside = {{Geodesic::face_descriptor(0), {2, 0, -1}}};
-    CHECK_THROWS(geodesic.join_polyline(outside, closed), std::invalid_argument);
+    CHECK_THROWS(geodesic.join_polyline(outside, CGAL::parameters::is_closed(closed)), std::invalid_argument);
   }
 }
 

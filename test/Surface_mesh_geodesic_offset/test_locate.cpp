@@ -272,7 +272,7 @@ void larger_tolerance()
     }
     if (std::abs(to_vertex - tolerance) < margin || std::abs(to_edge - tolerance) < margin || second_edge - to_edge < margin)
       continue;
-    const Face_location l = checker.geodesic.locate(p, tolerance);
+    const Face_location l = checker.geodesic.locate(p, CGAL::parameters::snapping_tolerance(tolerance));
     const double moved_by = to_vertex < tolerance ? to_vertex : to_edge < tolerance ? to_edge : 0;
     CHECK(std::abs(distance(checker.locations.point(l), q) - moved_by) <= 1e-13);
     if (to_vertex < tolerance) CHECK(checker.is_at(l, vertex));
@@ -329,8 +329,8 @@ void rays_at_a_sphere()
       const Vector_3 outwards = p - center, aside(uniform(random, -1, 1), uniform(random, -1, 1), uniform(random, -1, 1));
       const double tolerance = 1e-13;
       const Point_3 outside = p + (2 * outwards + aside);
-      check(g.locate(Ray_3(center, p), tolerance).value(), p, corners);
-      check(g.locate(Ray_3(outside, p), tolerance).value(), p, corners);
+      check(g.locate(Ray_3(center, p), CGAL::parameters::snapping_tolerance(tolerance)).value(), p, corners);
+      check(g.locate(Ray_3(outside, p), CGAL::parameters::snapping_tolerance(tolerance)).value(), p, corners);
       CHECK(!g.locate(Ray_3(outside, outwards)));
       if (corners == 3) CHECK(g.locate(Ray_3(outside, p)).value().first == f);
     }
@@ -360,7 +360,9 @@ void rays_at_a_plane()
     CHECK(!g.locate(Ray_3(Point_3(-2, p.y(), 0), Vector_3(-1, 0, 0))));
   }
   CHECK(checker.is_at(g.locate(Ray_3(Point_3(-2, 0, 0), Vector_3(1, 0, 0))).value(), data.vertices[0]));
-  CHECK(checker.is_at(g.locate(Ray_3(Point_3(2.01, 3.01, 1), Vector_3(0, 0, -1)), 0.02).value(), data.vertices[23]));
+  CHECK(checker.is_at(
+    g.locate(Ray_3(Point_3(2.01, 3.01, 1), Vector_3(0, 0, -1)), CGAL::parameters::snapping_tolerance(0.02)).value(),
+    data.vertices[23]));
 }
 
 // Point map with other points. Can be neither default constructed nor assigned.
@@ -534,7 +536,7 @@ void distances()
   }
   CHECK(geodesic.locate_with_distance(Point_3(9, 9, 12)).second == 13);
   CHECK(geodesic.locate_with_distance(Point_3(3, 2, 0)).second == 0);
-  CHECK(geodesic.locate_with_distance(Point_3(3.25, 2, 0), 0.5).second == 0.25);
+  CHECK(geodesic.locate_with_distance(Point_3(3.25, 2, 0), CGAL::parameters::snapping_tolerance(0.5)).second == 0.25);
   const auto joined = geodesic.locate_polyline_with_distance(polyline);
   CHECK(joined.first.locations == geodesic.locate_polyline(polyline).locations);
   CHECK(std::abs(joined.second - largest) <= 1e-14);
@@ -556,7 +558,7 @@ void several_threads()
     for (const Point_3& p : points)
     {
       result.push_back(geodesic.locate(p));
-      result.push_back(geodesic.locate(p, 0.1));
+      result.push_back(geodesic.locate(p, CGAL::parameters::snapping_tolerance(0.1)));
       if (const auto l = geodesic.locate(Ray_3(p, Point_3(0, 0, 0)))) result.push_back(*l);
     }
     return result;
@@ -587,15 +589,16 @@ void bad_input()
     {
       const Point_3 p(i == 0 ? bad : 0, i == 1 ? bad : 0, i == 2 ? bad : 0);
       CHECK_THROWS(geodesic.locate(p), std::invalid_argument);
-      CHECK_THROWS(geodesic.locate(p, 1e-3), std::invalid_argument);
+      CHECK_THROWS(geodesic.locate(p, CGAL::parameters::snapping_tolerance(1e-3)), std::invalid_argument);
       CHECK_THROWS(geodesic.locate(Ray_3(p, good)), std::invalid_argument);
       CHECK_THROWS(geodesic.locate(Ray_3(good, p - CGAL::ORIGIN)), std::invalid_argument);
     }
   CHECK_THROWS(geodesic.locate(Ray_3(good, good)), std::invalid_argument);
   for (double tolerance : {-1e-30, nan, -infinity})
   {
-    CHECK_THROWS(geodesic.locate(good, tolerance), std::invalid_argument);
-    CHECK_THROWS(geodesic.locate(Ray_3(good, Vector_3(1, 0, 0)), tolerance), std::invalid_argument);
+    CHECK_THROWS(geodesic.locate(good, CGAL::parameters::snapping_tolerance(tolerance)), std::invalid_argument);
+    CHECK_THROWS(geodesic.locate(Ray_3(good, Vector_3(1, 0, 0)), CGAL::parameters::snapping_tolerance(tolerance)),
+                 std::invalid_argument);
   }
 
   test::Surface_mesh empty;
@@ -605,7 +608,7 @@ void bad_input()
     for (int k = 0; k < 2; ++k) // again after an exception
     {
       CHECK_THROWS(on_empty.locate(good), std::invalid_argument);
-      CHECK_THROWS(on_empty.locate(good, 1e-3), std::invalid_argument);
+      CHECK_THROWS(on_empty.locate(good, CGAL::parameters::snapping_tolerance(1e-3)), std::invalid_argument);
       CHECK_THROWS(on_empty.locate(Ray_3(good, Vector_3(1, 0, 0))), std::invalid_argument);
     }
     empty.add_vertex(good);

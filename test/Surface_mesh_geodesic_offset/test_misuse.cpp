@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Calls that documented exceptions answer, and that leave objects as they were: null faces, locations that are not valid,
+// Calls that documented exceptions answer, and that leave objects as they were: null and removed elements, locations that are not valid,
 // moved-from diagrams, ranges that throw midway, builds inside a check, start values and spacings beyond the range of numbers,
 // meshes without faces, isolated vertices.
 
@@ -13,8 +13,10 @@
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Polyhedron_items_with_id_3.h>
 #include <CGAL/Surface_mesh_geodesic_offset/Surface_mesh_geodesic_enclosure.h>
+#include <CGAL/Surface_mesh_geodesic_offset/geodesic_distances.h>
 #include <CGAL/Surface_mesh_geodesic_offset/split_along_geodesic_voronoi_diagram.h>
 #include <CGAL/Surface_mesh_geodesic_offset/split_along_offset_curves.h>
+#include <CGAL/boost/graph/Euler_operations.h>
 
 #include <boost/iterator/transform_iterator.hpp>
 #include <boost/range/iterator_range.hpp>
@@ -24,6 +26,7 @@
 #include <limits>
 #include <memory>
 #include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -72,6 +75,95 @@ void null_and_foreign_faces()
   // any positive sum, as in other queries
   for (const Face_index f : e.data.faces)
     CHECK(diagram.source_at(Face_location(f, {{5, 2, 3}})) == diagram.source_at(Face_location(f, {{0.5, 0.2, 0.3}})));
+}
+
+// Removed elements between others, whose indices are in range: errors in each function, with the index in the message.
+void removed_elements()
+{
+  Generated_mesh<test::Surface_mesh> data(planar_grid(6, 6));
+  auto& mesh = data.mesh;
+  const std::size_t number_of_faces = mesh.number_of_faces();
+  const Vertex_index vertex = mesh.add_vertex(Point_3(20, 0, 0));
+  const Face_index face = mesh.add_face(vertex, mesh.add_vertex(Point_3(21, 0, 0)), mesh.add_vertex(Point_3(20, 1, 0)));
+  const auto halfedge = mesh.halfedge(face), border = mesh.opposite(halfedge);
+  const auto edge = mesh.edge(halfedge);
+  const Vertex_index last[] = {mesh.add_vertex(Point_3(30, 0, 0)), mesh.add_vertex(Point_3(31, 0, 0)),
+                               mesh.add_vertex(Point_3(30, 1, 0))};
+  mesh.add_face(last[0], last[1], last[2]);
+  CGAL::Euler::remove_face(halfedge, mesh);
+  for (Vertex_index v : mesh.vertices())
+    if (mesh.is_isolated(v)) mesh.remove_vertex(v);
+  CHECK(mesh.is_removed(vertex) && mesh.is_removed(face) && mesh.is_removed(edge) && vertex < last[0]);
+  CHECK(mesh.number_of_faces() == number_of_faces + 1);
+
+  const Face_location l(face, {{0.3, 0.3, 0.4}});
+  const std::vector<Vertex_index> vertices{vertex};
+  const std::vector<Face_location> locations{l};
+  const std::vector<test::Surface_mesh::Edge_index> edges{edge};
+  Geodesic geodesic(mesh);
+  Enclosure enclosure(geodesic.mesh());
+  const auto check_sources = [&](auto& object) {
+    CHECK_THROWS(object.add_source_point(vertex), std::invalid_argument);
+    CHECK_THROWS(object.add_source_point(l), std::invalid_argument);
+    CHECK_THROWS(object.add_source_points(vertices), std::invalid_argument);
+    CHECK_THROWS(object.add_source_polyline(locations), std::invalid_argument);
+    CHECK_THROWS(object.add_source_edges(edges), std::invalid_argument);
+    CHECK(object.number_of_sources() == 0);
+  };
+  check_sources(geodesic);
+  check_sources(enclosure);
+  CHECK_THROWS(geodesic.add_source_boundary(border), std::invalid_argument);
+  std::vector<double> distances(mesh.num_vertices());
+  const auto map = CGAL::make_property_map(distances);
+  CHECK_THROWS(CGAL::geodesic_distances(mesh, vertex, map), std::invalid_argument);
+  CHECK_THROWS(CGAL::geodesic_distances(mesh, l, map), std::invalid_argument);
+  CHECK_THROWS(CGAL::geodesic_distances(mesh, edges, map), std::invalid_argument);
+  CHECK_THROWS(CGAL::geodesic_distances(mesh, last[0], map, parameters::targets(vertices)), std::invalid_argument);
+
+  geodesic.add_source_point(data.vertices[0]);
+  geodesic.build(parameters::keep_windows(true));
+  CHECK_THROWS(geodesic.distance_to_sources(vertex), std::invalid_argument);
+  CHECK_THROWS(geodesic.distance_to_sources(l), std::invalid_argument);
+  CHECK_THROWS(geodesic.error_bound(vertex), std::invalid_argument);
+  CHECK_THROWS(geodesic.nearest_source(vertex), std::invalid_argument);
+  CHECK_THROWS(geodesic.field().voronoi_diagram().source_at_face(face), std::invalid_argument);
+  CHECK(geodesic.distance_to_sources(data.vertices[1]) > 0 && geodesic.distance_to_sources(last[0]) == infinity);
+  const auto names = [](const auto& function, const std::string& text) {
+    try
+    {
+      function();
+    }
+    catch (const std::invalid_argument& e)
+    {
+      return std::string(e.what()).find(text) != std::string::npos;
+    }
+    return false;
+  };
+  CHECK(names([&] { geodesic.distance_to_sources(vertex); }, "vertex " + std::to_string(vertex.idx()) + " "));
+  CHECK(names([&] { geodesic.distance_to_sources(l); }, "face " + std::to_string(face.idx()) + " "));
+}
+
+// A face at one vertex, with lengths of a triangle.
+void repeated_vertices()
+{
+  test::Surface_mesh mesh;
+  const Vertex_index v = mesh.add_vertex(Point_3(0, 0, 0));
+  const Face_index f = mesh.add_face();
+  const auto h = std::array<test::Surface_mesh::Halfedge_index, 3>{{mesh.add_edge(), mesh.add_edge(), mesh.add_edge()}};
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    const auto next = h[(k + 1) % 3];
+    mesh.set_target(h[k], v);
+    mesh.set_target(mesh.opposite(h[k]), v);
+    mesh.set_face(h[k], f);
+    mesh.set_next(h[k], next);
+    mesh.set_next(mesh.opposite(next), mesh.opposite(h[k]));
+  }
+  mesh.set_halfedge(f, h[0]);
+  mesh.set_halfedge(v, h[0]);
+  const auto length = mesh.add_property_map<test::Surface_mesh::Edge_index, double>("e:length", 1).first;
+  CHECK_THROWS(Geodesic(mesh, parameters::edge_length_map(length)), std::invalid_argument);
+  CHECK_THROWS(Geodesic{mesh}, std::invalid_argument);
 }
 
 void null_face_of_polyhedron()
@@ -251,6 +343,8 @@ GEODESIC_OFFSET_TEST(test_misuse)
   using namespace test_misuse;
   const std::pair<const char*, void (*)()> tests[] = {
     {"null and foreign faces", null_and_foreign_faces},
+    {"removed elements", removed_elements},
+    {"repeated vertices", repeated_vertices},
     {"null face of a Polyhedron_3", null_face_of_polyhedron},
     {"diagrams that were moved from", moved_from_diagrams},
     {"ranges that throw", throwing_ranges},

@@ -9,8 +9,10 @@
 #include "offset_tools.h"
 #include "test_check.h"
 
+#include <CGAL/Surface_mesh_geodesic_offset/Surface_mesh_geodesic_enclosure.h>
 #include <CGAL/Surface_mesh_geodesic_offset/geodesic_distances.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <iostream>
@@ -215,11 +217,60 @@ void of_several_kinds()
   CHECK(logged([&] { geodesic.build(CGAL::parameters::verbose(false)); }).empty());
 }
 
+// Closed polylines with a start value, in both orders; polylines that are closed themselves.
+void polylines()
+{
+  Report::instance().set_context("polylines");
+  const Mesh mesh = Generated_mesh<Mesh>(rotated(torus(16, 10), 1)).mesh;
+  const Geodesic::Mesh located(mesh);
+  std::vector<Point_3> points;
+  for (const unsigned i : {3u, 17u, 31u}) points.push_back(mesh.point(Vertex_index(i)));
+  const auto closed = located.locate_polyline(points, CGAL::parameters::is_closed(true));
+  const auto open = located.locate_polyline(points),
+             false_open = located.locate_polyline(points, CGAL::parameters::is_closed(false));
+  CHECK(closed.is_closed && !open.is_closed && !false_open.is_closed && false_open.locations == open.locations);
+  CHECK(located.join_polyline(open.locations, CGAL::parameters::is_closed(true)).locations == closed.locations);
+
+  const auto distances = [&](const auto& add) {
+    Geodesic geodesic(located);
+    add(geodesic);
+    geodesic.build();
+    std::vector<double> result;
+    for (Vertex_index v : mesh.vertices()) result.push_back(geodesic.distance_to_sources(v));
+    return result;
+  };
+  namespace parameters = CGAL::parameters;
+  const auto expected =
+    distances([&](Geodesic& g) { g.add_source_polyline(closed.locations, parameters::start_value(1.).is_closed(true)); });
+  const auto line = distances([&](Geodesic& g) { g.add_source_polyline(open.locations, parameters::start_value(1.)); });
+  CHECK(*std::min_element(expected.begin(), expected.end()) == 1 && line != expected);
+  CHECK(distances([&](Geodesic& g) { g.add_source_polyline(closed.locations, parameters::is_closed(true).start_value(1.)); }) ==
+        expected);
+  CHECK(distances([&](Geodesic& g) { g.add_source_polyline(closed, parameters::start_value(1.)); }) == expected);
+  CHECK(distances([&](Geodesic& g) { g.add_source_polyline(open, parameters::start_value(1.)); }) == line);
+  const auto of_set = [&](const auto& polyline, const auto& np) {
+    Geodesic::Source_set set;
+    set.add_polyline(polyline, np);
+    return distances([&](Geodesic& g) { g.add_sources(set); });
+  };
+  CHECK(of_set(closed.locations, parameters::is_closed(true).start_value(1.)) == expected);
+  CHECK(of_set(closed, parameters::start_value(1.)) == expected && of_set(open, parameters::start_value(1.)) == line);
+
+  // of an enclosure
+  CGAL::Surface_mesh_geodesic_enclosure<Geodesic::Traits> both(located), self(located);
+  both.add_source_polyline(closed.locations, parameters::start_value(1.).is_closed(true));
+  self.add_source_polyline(closed, parameters::start_value(1.));
+  both.build();
+  self.build();
+  for (Vertex_index v : mesh.vertices()) CHECK(both.distance_bounds(v) == self.distance_bounds(v));
+}
+
 } // namespace test_named_parameters
 
 GEODESIC_OFFSET_TEST(test_named_parameters)
 {
   Orders().run();
   of_several_kinds();
+  polylines();
   return Report::instance().finish("test_named_parameters");
 }

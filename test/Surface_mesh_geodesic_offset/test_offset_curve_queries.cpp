@@ -159,7 +159,7 @@ private:
     if (!CHECK(generator_.add_leg(path, path.locations.front(), 0))) return;
     path.locations.pop_back();
     Geodesic geodesic(data_.mesh);
-    geodesic.add_source_polyline(path.locations, true);
+    geodesic.add_source_polyline(path.locations, CGAL::parameters::is_closed(true));
     const Curves curves = curves_of(geodesic, d);
     if (!CHECK(curves.size() == 2)) return;
     const double side = distance(corners[0], corners[1]);

@@ -155,7 +155,8 @@ void run_all_sources(const std::string& name, const test::Surface_mesh& mesh, un
   for (auto e : edges(mesh))
     if (mesh.is_border(e)) border.push_back(e);
   const auto add_sections = [&](Geodesic& geodesic) {
-    for (const auto& section : sections) geodesic.add_source_polyline(section.locations, section.closed);
+    for (const auto& section : sections)
+      geodesic.add_source_polyline(section.locations, CGAL::parameters::is_closed(section.closed));
   };
   run(name + ", vertex", mesh, [&](Geodesic& geodesic) { geodesic.add_source_point(vertex); });
   run(name + ", point in a face", mesh, [&](Geodesic& geodesic) { geodesic.add_source_point(in_face); });

@@ -189,7 +189,7 @@ void limited_to_the_largest_level(const test::Surface_mesh& mesh, const std::fun
   Geodesic geodesic(mesh);
   add_sources(geodesic);
   geodesic.build(CGAL::parameters::compute_largest_distance(true));
-  const double farthest = geodesic.largest_distance();
+  const double farthest = geodesic.largest_distance().value();
   std::vector<double> at_vertices;
   for (auto v : vertices(mesh))
     if (const double d = geodesic.distance_to_sources(v); d > 0 && std::isfinite(d)) at_vertices.push_back(d);
@@ -644,7 +644,7 @@ void run(const std::string& name, const test::Surface_mesh& mesh, unsigned seed)
   const auto f = *std::next(faces(mesh).begin(), static_cast<std::ptrdiff_t>(uniform_index(random, num_faces(mesh))));
   const Face_location inside(f, random_barycentric(random));
   const auto section = [&](Geodesic& g) {
-    for (const auto& s : sections) g.add_source_polyline(s.locations, s.closed);
+    for (const auto& s : sections) g.add_source_polyline(s.locations, CGAL::parameters::is_closed(s.closed));
   };
   all_ways(name + ", vertex", mesh, [&](Geodesic& g) { g.add_source_point(*vertices(mesh).begin()); });
   all_ways(name + ", point in a face", mesh, [&](Geodesic& g) { g.add_source_point(inside); });
@@ -691,7 +691,7 @@ GEODESIC_OFFSET_TEST(test_offset_families)
   const Generated_mesh<test::Surface_mesh> data(torus(40, 30));
   const auto sections = random_plane_section(data.mesh, 3);
   const auto section = [&](Geodesic& g) {
-    for (const auto& s : sections) g.add_source_polyline(s.locations, s.closed);
+    for (const auto& s : sections) g.add_source_polyline(s.locations, CGAL::parameters::is_closed(s.closed));
   };
   const auto vertex = [&](Geodesic& g) { g.add_source_point(data.vertices[0]); };
   const std::pair<const char*, std::function<void()>> tests[] = {

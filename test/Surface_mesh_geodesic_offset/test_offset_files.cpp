@@ -41,13 +41,15 @@ using namespace test;
 template <class Curves>
 std::vector<std::pair<std::string, std::function<bool(std::ostream&)>>> writers(const Curves& curves)
 {
-  return {{"polylines", [&](std::ostream& os) { return CGAL::IO::write_offset_polylines(os, curves, 0.01); }},
-          {"vtk", [&](std::ostream& os) { return CGAL::IO::write_offset_VTK(os, curves, 0.01); }},
-          {"vtp", [&](std::ostream& os) { return CGAL::IO::write_offset_VTP(os, curves, 0.01); }},
-          {"obj", [&](std::ostream& os) { return CGAL::IO::write_offset_OBJ(os, curves, 0.01); }},
-          {"csv", [&](std::ostream& os) { return CGAL::IO::write_offset_CSV(os, curves, 0.01); }},
-          {"dxf", [&](std::ostream& os) { return CGAL::IO::write_offset_DXF(os, curves, 0.01); }},
-          {"svg", [&](std::ostream& os) { return CGAL::IO::write_offset_SVG(os, curves); }}};
+  return {
+    {"polylines",
+     [&](std::ostream& os) { return CGAL::IO::write_offset_polylines(os, curves, CGAL::parameters::chord_tolerance(0.01)); }},
+    {"vtk", [&](std::ostream& os) { return CGAL::IO::write_offset_VTK(os, curves, CGAL::parameters::chord_tolerance(0.01)); }},
+    {"vtp", [&](std::ostream& os) { return CGAL::IO::write_offset_VTP(os, curves, CGAL::parameters::chord_tolerance(0.01)); }},
+    {"obj", [&](std::ostream& os) { return CGAL::IO::write_offset_OBJ(os, curves, CGAL::parameters::chord_tolerance(0.01)); }},
+    {"csv", [&](std::ostream& os) { return CGAL::IO::write_offset_CSV(os, curves, CGAL::parameters::chord_tolerance(0.01)); }},
+    {"dxf", [&](std::ostream& os) { return CGAL::IO::write_offset_DXF(os, curves, CGAL::parameters::chord_tolerance(0.01)); }},
+    {"svg", [&](std::ostream& os) { return CGAL::IO::write_offset_SVG(os, curves); }}};
 }
 
 template <class Mesh>
@@ -135,12 +137,18 @@ void curves_that_are_not_in_a_plane()
   CHECK(os.str().empty());
   for (const double tolerance : {0., -1., std::nan("")})
   {
-    CHECK_THROWS(CGAL::IO::write_offset_polylines(os, on_sphere.curves, tolerance), std::invalid_argument);
-    CHECK_THROWS(CGAL::IO::write_offset_OBJ(os, on_sphere.curves, tolerance), std::invalid_argument);
-    CHECK_THROWS(CGAL::IO::write_offset_VTK(os, on_sphere.curves, tolerance), std::invalid_argument);
-    CHECK_THROWS(CGAL::IO::write_offset_VTP(os, on_sphere.curves, tolerance), std::invalid_argument);
-    CHECK_THROWS(CGAL::IO::write_offset_CSV(os, on_sphere.curves, tolerance), std::invalid_argument);
-    CHECK_THROWS(CGAL::IO::write_offset_DXF(os, on_sphere.curves, tolerance), std::invalid_argument);
+    CHECK_THROWS(CGAL::IO::write_offset_polylines(os, on_sphere.curves, CGAL::parameters::chord_tolerance(tolerance)),
+                 std::invalid_argument);
+    CHECK_THROWS(CGAL::IO::write_offset_OBJ(os, on_sphere.curves, CGAL::parameters::chord_tolerance(tolerance)),
+                 std::invalid_argument);
+    CHECK_THROWS(CGAL::IO::write_offset_VTK(os, on_sphere.curves, CGAL::parameters::chord_tolerance(tolerance)),
+                 std::invalid_argument);
+    CHECK_THROWS(CGAL::IO::write_offset_VTP(os, on_sphere.curves, CGAL::parameters::chord_tolerance(tolerance)),
+                 std::invalid_argument);
+    CHECK_THROWS(CGAL::IO::write_offset_CSV(os, on_sphere.curves, CGAL::parameters::chord_tolerance(tolerance)),
+                 std::invalid_argument);
+    CHECK_THROWS(CGAL::IO::write_offset_DXF(os, on_sphere.curves, CGAL::parameters::chord_tolerance(tolerance)),
+                 std::invalid_argument);
     CHECK(os.str().empty());
   }
   os.str("");
@@ -288,20 +296,20 @@ void levels()
     CHECK(Offset_level_writer::supports(format) == is_written_by_level);
     if (!is_written_by_level)
     {
-      CHECK_THROWS(Offset_level_writer(parts, format, 0.01), std::invalid_argument);
+      CHECK_THROWS(Offset_level_writer(parts, format, CGAL::parameters::chord_tolerance(0.01)), std::invalid_argument);
       continue;
     }
     for (const double tolerance : {0., -1., std::nan("")})
-      CHECK_THROWS(Offset_level_writer(parts, format, tolerance), std::invalid_argument);
+      CHECK_THROWS(Offset_level_writer(parts, format, CGAL::parameters::chord_tolerance(tolerance)), std::invalid_argument);
     CHECK(parts.str().empty());
-    Offset_level_writer writer(parts, format, 0.01);
+    Offset_level_writer writer(parts, format, CGAL::parameters::chord_tolerance(0.01));
     const auto& curves = example.curves;
     CHECK(writer.write(std::vector<Geodesic::Offset_curve>(curves.begin(), curves.begin() + 2)));
     CHECK(writer.write(std::vector<Geodesic::Offset_curve>()));
     CHECK(writer.write(std::vector<Geodesic::Offset_curve>(curves.begin() + 2, curves.end())));
     {
       std::ostringstream none;
-      Offset_level_writer fine(none, format, 1e-300);
+      Offset_level_writer fine(none, format, CGAL::parameters::chord_tolerance(1e-300));
       const std::string begin = none.str();
       CHECK_THROWS(fine.write(curves), std::length_error);
       CHECK(none.str() == begin);
@@ -318,7 +326,7 @@ void levels()
     else CHECK(parts.str() == whole.str());
 
     parts.setstate(std::ios_base::badbit);
-    Offset_level_writer other(parts, format, 0.01);
+    Offset_level_writer other(parts, format, CGAL::parameters::chord_tolerance(0.01));
     CHECK(!other.write(curves));
     CHECK(!other.finish());
   }
@@ -339,22 +347,28 @@ void units()
     std::string number, name;
     double factor;
   };
+  // without a chord tolerance: the default of write_offset_curves()
+  std::ostringstream csv, csv_by_name;
+  CHECK(IO::write_offset_CSV(csv, example.curves) &&
+        IO::write_offset_curves(csv_by_name, IO::Offset_file_format::CSV, example.curves));
+  CHECK(csv.str() == csv_by_name.str() && csv.str().size() > 1000);
   for (const Unit& u : {Unit{IO::Length_unit::NONE, "0", "", 1}, Unit{IO::Length_unit::MILLIMETER, "4", "mm", 1},
                         Unit{IO::Length_unit::CENTIMETER, "5", "cm", 1}, Unit{IO::Length_unit::METER, "6", "mm", 1000},
                         Unit{IO::Length_unit::INCH, "1", "in", 1}})
   {
     Report::instance().set_context("unit " + u.number);
     std::ostringstream dxf, svg, plain_dxf, plain_svg, by_name;
-    CHECK(IO::write_offset_DXF(dxf, example.curves, 0.01, u.unit));
-    CHECK(IO::write_offset_SVG(svg, example.curves, u.unit));
+    CHECK(IO::write_offset_DXF(dxf, example.curves, CGAL::parameters::chord_tolerance(0.01).length_unit(u.unit)));
+    CHECK(IO::write_offset_SVG(svg, example.curves, CGAL::parameters::length_unit(u.unit)));
     CHECK(text_after(dxf.str(), "$INSUNITS\n70\n", 2) == u.number + "\n");
     CHECK(IO::write_offset_curves(by_name, IO::Offset_file_format::SVG, example.curves,
-                                  CGAL::parameters::chord_tolerance(1.).unit(u.unit)));
+                                  CGAL::parameters::chord_tolerance(1.).length_unit(u.unit)));
     CHECK(by_name.str() == svg.str());
     by_name.str("");
-    CHECK(IO::write_offset_curves(by_name, IO::Offset_file_format::DXF, example.curves, CGAL::parameters::unit(u.unit)));
+    CHECK(IO::write_offset_curves(by_name, IO::Offset_file_format::DXF, example.curves, CGAL::parameters::length_unit(u.unit)));
     CHECK(by_name.str() == dxf.str());
-    CHECK(IO::write_offset_DXF(plain_dxf, example.curves, 0.01) && IO::write_offset_SVG(plain_svg, example.curves));
+    CHECK(IO::write_offset_DXF(plain_dxf, example.curves, CGAL::parameters::chord_tolerance(0.01)) &&
+          IO::write_offset_SVG(plain_svg, example.curves));
     CHECK((dxf.str() == plain_dxf.str()) == u.name.empty());
     CHECK((svg.str() == plain_svg.str()) == u.name.empty());
 
@@ -405,7 +419,7 @@ void planar_meshes()
     geodesic.add_source_point(*vertices(mesh).begin());
     geodesic.build();
     std::vector<Geodesic::Offset_curve> curves;
-    const double largest = geodesic.largest_vertex_distance();
+    const double largest = geodesic.largest_vertex_distance().value();
     geodesic.offset_curves(std::vector<double>{0.3 * largest, 0.6 * largest}, std::back_inserter(curves));
     std::ostringstream os;
     if (result) CHECK(CGAL::IO::write_offset_SVG(os, curves));

@@ -54,7 +54,7 @@ void with_sources(const Surface_mesh& mesh, const Function& f)
   f(
     "section",
     [&](Geodesic& g) {
-    for (const auto& s : sections) g.add_source_polyline(s.locations, s.closed);
+    for (const auto& s : sections) g.add_source_polyline(s.locations, CGAL::parameters::is_closed(s.closed));
     },
     true);
   f(

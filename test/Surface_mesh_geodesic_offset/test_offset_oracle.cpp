@@ -131,11 +131,10 @@ void overlapping_boundaries()
   const Generated_mesh<Surface_mesh> data(soup);
   Cut_geodesic geodesic(data.mesh);
   geodesic.add_source_point(data.vertices[0]);
-  geodesic.add_source_polyline(
-    std::vector<Geodesic::Face_location>{{data.faces[0], {0.375, 0.625, 0}},
-                                         {data.faces[0], {0, 1.0000000050247593e-08, 0.99999998999999995}},
-                                         {data.faces[1], {0.125, 0.875, 0}}},
-    false);
+  geodesic.add_source_polyline(std::vector<Geodesic::Face_location>{
+    {data.faces[0], {0.375, 0.625, 0}},
+    {data.faces[0], {0, 1.0000000050247593e-08, 0.99999998999999995}},
+    {data.faces[1], {0.125, 0.875, 0}}});
   geodesic.build(CGAL::parameters::keep_windows(true));
   Face_tracing tracing(geodesic.mesh(), geodesic.initial(), geodesic.field());
   Offset_oracle oracle;

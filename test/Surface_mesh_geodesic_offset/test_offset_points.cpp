@@ -57,7 +57,7 @@ Curves curves_at_levels(const Surface_mesh& mesh, std::size_t levels)
   geodesic.build();
   std::vector<double> distances;
   for (std::size_t i = 1; i <= levels; ++i)
-    distances.push_back(geodesic.largest_vertex_distance() * static_cast<double>(i) / static_cast<double>(levels + 1));
+    distances.push_back(geodesic.largest_vertex_distance().value() * static_cast<double>(i) / static_cast<double>(levels + 1));
   Curves curves;
   geodesic.offset_curves(distances, std::back_inserter(curves));
   CHECK(curves.size() >= levels);
@@ -143,8 +143,9 @@ void squares()
       const double inner = d / 20;                                     // in widths
       Geodesic geodesic(mesh);
       const auto square =
-        geodesic.locate_polyline(std::vector<Point_3>{at(low, low), at(high, low), at(high, high), at(low, high)}, true);
-      geodesic.add_source_polyline(square.locations, square.is_closed);
+        geodesic.locate_polyline(std::vector<Point_3>{at(low, low), at(high, low), at(high, high), at(low, high)},
+                                 CGAL::parameters::is_closed(true));
+      geodesic.add_source_polyline(square);
       geodesic.build();
       Curves curves;
       geodesic.offset_curves(std::vector<double>{inner * width}, std::back_inserter(curves),
@@ -197,7 +198,8 @@ void true_arcs()
         Curves curves;
         geodesic.build_with_offset_curves(distance, std::back_inserter(curves));
         std::ostringstream dxf_stream, svg_stream;
-        CHECK(CGAL::IO::write_offset_DXF(dxf_stream, curves, 1e-4 * width) && CGAL::IO::write_offset_SVG(svg_stream, curves));
+        CHECK(CGAL::IO::write_offset_DXF(dxf_stream, curves, CGAL::parameters::chord_tolerance(1e-4 * width)) &&
+              CGAL::IO::write_offset_SVG(svg_stream, curves));
         dxf = dxf_stream.str();
         svg = svg_stream.str();
         return curves.size();
@@ -210,9 +212,9 @@ void true_arcs()
       if (is_rounded) continue;
       CHECK_DETAIL(occurrences(dxf, "AcDbPolyline\n90\n2\n") == 1, "a circle is two bulges");
       Geodesic square(mesh);
-      const auto polyline =
-        square.locate_polyline(std::vector<Point_3>{at(0.2, 0.2), at(0.8, 0.2), at(0.8, 0.8), at(0.2, 0.8)}, true);
-      square.add_source_polyline(polyline.locations, true);
+      const auto polyline = square.locate_polyline(std::vector<Point_3>{at(0.2, 0.2), at(0.8, 0.2), at(0.8, 0.8), at(0.2, 0.8)},
+                                                   CGAL::parameters::is_closed(true));
+      square.add_source_polyline(polyline.locations, CGAL::parameters::is_closed(true));
       CHECK(write(square, 0.1 * width, dxf, svg) == 2);
       CHECK_DETAIL(occurrences(svg, " A") == 4 && occurrences(svg, " L") == 8,
                    std::to_string(occurrences(svg, " A")) + " arcs, " + std::to_string(occurrences(svg, " L")) + " segments");
@@ -365,7 +367,7 @@ void values_of_points()
     geodesic.build_with_offset_curves(0.7, std::back_inserter(curves));
     if (!CHECK(curves.size() == 1)) return;
     std::stringstream os;
-    CHECK(CGAL::IO::write_offset_VTK(os, curves, tolerance));
+    CHECK(CGAL::IO::write_offset_VTK(os, curves, CGAL::parameters::chord_tolerance(tolerance)));
     const auto skip_to = [&](const std::string& word) {
       for (std::string w; w != word && os >> w;) continue;
     };

@@ -251,7 +251,7 @@ void judge_finds_missing_loop()
   Judged judged(data.mesh, [&](Geodesic& g) {
     g.add_source_edges(std::vector<Surface_mesh::Edge_index>(data.mesh.edges().begin(), data.mesh.edges().end()));
   });
-  const double radius = judged.geodesic.largest_distance();
+  const double radius = judged.geodesic.largest_distance().value();
   for (const double below : {1e-2, 1e-6, 1e-10})
   {
     const Verdict verdict = judged(radius - below, Offset_curves());

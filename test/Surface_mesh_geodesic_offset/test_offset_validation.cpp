@@ -272,7 +272,8 @@ GEODESIC_OFFSET_TEST(test_offset_validation)
     geodesic.add_source_point(*std::next(vertices(mesh).begin(), 3));
   };
   const auto section = [](const test::Surface_mesh& mesh, Geodesic& geodesic) {
-    for (const auto& s : random_plane_section(mesh, 5)) geodesic.add_source_polyline(s.locations, s.closed);
+    for (const auto& s : random_plane_section(mesh, 5))
+      geodesic.add_source_polyline(s.locations, CGAL::parameters::is_closed(s.closed));
   };
   damage_curves(Case("icosphere, vertex", icosphere(2), vertex, {0.3, 0.9, 1.4, 2.2}));
   damage_curves(Case("torus, section", torus(20, 14), section, {0.1, 0.2, 0.4}));

@@ -68,13 +68,13 @@ public:
     m_points = m_case.random_points(m_random, points);
     add(1);
     m_geodesic.build(CGAL::parameters::compute_largest_distance(true).concurrency_tag(Tag()));
-    m_out.distances.push_back(m_geodesic.largest_distance());
+    m_out.distances.push_back(m_geodesic.largest_distance().value());
     take_down(false);
     compare_with_envelopes();
     add(2); // including polylines
     m_geodesic.build(CGAL::parameters::keep_windows(true).concurrency_tag(Tag()));
     take_down(true);
-    m_out.distances.push_back(m_geodesic.largest_distance());
+    m_out.distances.push_back(m_geodesic.largest_distance().value());
     const double largest = largest_vertex_distance(m_geodesic, m_case.mesh);
     const std::vector<double> levels = {0.07 * largest, 0.31 * largest, 0.66 * largest};
     take_curves([&](auto out) { m_geodesic.offset_curves(levels, out, CGAL::parameters::concurrency_tag(Tag())); });
@@ -83,15 +83,15 @@ public:
     take_down(true);
     add(1);
     m_geodesic.build(CGAL::parameters::distance_limit(0.37 * largest).compute_largest_distance(true).concurrency_tag(Tag()));
-    m_out.distances.push_back(m_geodesic.largest_distance());
+    m_out.distances.push_back(m_geodesic.largest_distance().value());
     take_down(false);
     m_geodesic.update(CGAL::parameters::concurrency_tag(Tag()));
-    m_out.distances.push_back(m_geodesic.largest_distance());
+    m_out.distances.push_back(m_geodesic.largest_distance().value());
     take_down(false);
     take_curves([&](auto out) { m_geodesic.offset_curves(0.2 * largest, out, CGAL::parameters::concurrency_tag(Tag())); });
     const auto largest_too = CGAL::parameters::compute_largest_distance(true);
     take_curves([&](auto out) { m_geodesic.build_with_offset_curves(levels, out, largest_too.concurrency_tag(Tag())); });
-    m_out.distances.push_back(m_geodesic.largest_distance());
+    m_out.distances.push_back(m_geodesic.largest_distance().value());
     take_down(false);
     const auto equal = CGAL::Offset_levels<double>::equally_spaced(0.05 * largest, 12);
     take_curves([&](auto out) {

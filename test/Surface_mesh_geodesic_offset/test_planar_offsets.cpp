@@ -112,7 +112,7 @@ public:
     try
     {
       Geodesic geodesic(data_.mesh);
-      geodesic.add_source_polyline(path.locations, closed);
+      geodesic.add_source_polyline(path.locations, CGAL::parameters::is_closed(closed));
       ++tally.polylines;
       tally.closed += closed ? 1 : 0;
       tally.crossing += crosses_itself(path.legs) ? 1 : 0;
@@ -153,7 +153,7 @@ public:
     {
       Geodesic geodesic(data_.mesh);
       if (path.locations.size() == 1) geodesic.add_source_point(path.locations[0]);
-      else geodesic.add_source_polyline(path.locations, closed);
+      else geodesic.add_source_polyline(path.locations, CGAL::parameters::is_closed(closed));
       Curves curves;
       geodesic.build_with_offset_curves(level, std::back_inserter(curves), selection.parameters());
       double length = 0;

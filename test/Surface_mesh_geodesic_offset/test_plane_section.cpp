@@ -276,8 +276,9 @@ void touched_edges()
     CHECK(side_of(1) == CGAL::Source_side::NONE && side_of(4) == CGAL::Source_side::NONE);
     CHECK(side_of(3) == (up > 0 ? CGAL::Source_side::RIGHT : CGAL::Source_side::LEFT));
     CHECK(side_of(6) == (up > 0 ? CGAL::Source_side::LEFT : CGAL::Source_side::RIGHT));
-    CHECK(std::isnan(geodesic.signed_distance_to_sources(middle(1))));
-    CHECK(up * geodesic.signed_distance_to_sources(middle(3)) > 0 && up * geodesic.signed_distance_to_sources(middle(6)) < 0);
+    CHECK(!geodesic.signed_distance_to_sources(middle(1)));
+    CHECK(up * or_nan(geodesic.signed_distance_to_sources(middle(3))) > 0 &&
+          up * or_nan(geodesic.signed_distance_to_sources(middle(6))) < 0);
   }
 }
 

@@ -58,7 +58,7 @@ void run(const std::string& name, const test::Surface_mesh& mesh, unsigned seed)
   Geodesic geodesic(mesh);
   for (const auto& section : sections)
   {
-    geodesic.add_source_polyline(section.locations, section.closed);
+    geodesic.add_source_polyline(section.locations, CGAL::parameters::is_closed(section.closed));
     segments += section.number_of_segments();
   }
   CHECK(segments > 0);

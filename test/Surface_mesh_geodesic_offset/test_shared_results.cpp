@@ -271,7 +271,7 @@ void check_moved_mesh(const Object& object, Geodesic::halfedge_descriptor h)
   CHECK_THROWS(object.sharp_edges(30, std::back_inserter(sharp)), std::logic_error);
   CHECK_THROWS(object.plane_section(plane), std::logic_error);
   CHECK_THROWS(object.locate(p), std::logic_error);
-  CHECK_THROWS(object.locate(p, 1e-3), std::logic_error);
+  CHECK_THROWS(object.locate(p, CGAL::parameters::snapping_tolerance(1e-3)), std::logic_error);
   CHECK_THROWS(object.locate(Geodesic::Ray_3(p, Point_3(1, 0, 0))), std::logic_error);
   CHECK_THROWS(object.locate_with_distance(p), std::logic_error);
   CHECK_THROWS(object.locate_polyline(points), std::logic_error);

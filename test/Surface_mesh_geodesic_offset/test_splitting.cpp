@@ -62,7 +62,7 @@ long euler_characteristic(const Mesh& mesh)
 // Ten levels between 0 and the largest distance: if there are such, two at which an edge lies, and three at those of vertices.
 std::vector<double> levels_of(const Geodesic& geodesic, const Surface_mesh& mesh, Random& random)
 {
-  const double largest = geodesic.largest_distance();
+  const double largest = geodesic.largest_distance().value();
   const auto is_inside = [&](double d) { return d > 0.01 * largest && d < 0.99 * largest; };
   std::vector<double> levels, on_edges;
   for (const Edge_index e : mesh.edges())
@@ -267,7 +267,7 @@ void split_from_all(const std::string& name, const Surface_mesh& mesh, unsigned 
     split(
       name + ", section", mesh,
       [&](Geodesic& g) {
-      for (const auto& s : sections) g.add_source_polyline(s.locations, s.closed);
+      for (const auto& s : sections) g.add_source_polyline(s.locations, CGAL::parameters::is_closed(s.closed));
       },
       random);
   }
@@ -427,7 +427,7 @@ void sources_and_visitor()
     add([&](Geodesic& g) { return g.add_source_polyline(polyline); });
     const auto field = all.build(CGAL::parameters::keep_windows(true));
     std::vector<Offset_curve> curves;
-    all.offset_curves(std::vector<double>{0.3 * all.largest_distance(), 0.7 * all.largest_distance()},
+    all.offset_curves(std::vector<double>{0.3 * all.largest_distance().value(), 0.7 * all.largest_distance().value()},
                       std::back_inserter(curves));
 
     auto source = mesh.add_property_map<Face_index, std::size_t>("source", 99).first;
@@ -555,7 +555,7 @@ void levels_without_width()
     auto distance = mesh.add_property_map<Vertex_index, double>("distance").first;
     geodesic.vertex_distances(distance);
     std::vector<Geodesic::Offset_curve> curves;
-    geodesic.offset_curves(std::vector<double>{geodesic.largest_distance() * (1 - 1e-11)}, std::back_inserter(curves));
+    geodesic.offset_curves(std::vector<double>{geodesic.largest_distance().value() * (1 - 1e-11)}, std::back_inserter(curves));
     CHECK(!curves.empty());
     auto band = mesh.add_property_map<Face_index, std::size_t>("band", 99).first;
     CGAL::split_along_offset_curves(mesh, curves, CGAL::parameters::face_band_map(band).vertex_distance_map(distance));
@@ -566,7 +566,7 @@ void levels_without_width()
     Surface_mesh mesh = Generated_mesh<Surface_mesh>(planar_grid(2, 2)).mesh;
     Geodesic geodesic(mesh);
     const Face_index f(2);
-    geodesic.add_source_polyline(std::vector<Geodesic::Face_location>{{f, {{0.2, 0.2, 0.6}}}, {f, {{0.5, 0.3, 0.2}}}}, false,
+    geodesic.add_source_polyline(std::vector<Geodesic::Face_location>{{f, {{0.2, 0.2, 0.6}}}, {f, {{0.5, 0.3, 0.2}}}},
                                  CGAL::parameters::start_value(start_value));
     geodesic.build();
     std::vector<Geodesic::Offset_curve> curves;
@@ -586,7 +586,7 @@ void levels_without_width()
     std::vector<Geodesic::Face_location> row; // through the center
     for (const Surface_mesh::size_type v : {3u, 4u, 5u})
       row.push_back(Locations<Surface_mesh>(mesh).at_vertex(Vertex_index(v)));
-    geodesic.add_source_polyline(row, false, CGAL::parameters::start_value(start_value));
+    geodesic.add_source_polyline(row, CGAL::parameters::start_value(start_value));
     geodesic.build(CGAL::parameters::keep_windows(true));
     std::vector<double> levels = {start_value * (1 + 1e-11)};
     if (has_second_level) levels.push_back(start_value + 0.5);

@@ -48,7 +48,7 @@ template <class Query>
 void ask(const Geodesic& geodesic, const Query& query, Answers& answers)
 {
   answers.push_back(geodesic.distance_to_sources(query));
-  const double with_sign = geodesic.signed_distance_to_sources(query);
+  const double with_sign = or_nan(geodesic.signed_distance_to_sources(query));
   answers.push_back(std::isnan(with_sign) ? -1e300 : with_sign);
   const auto nearest = geodesic.nearest_source(query);
   if (nearest)
@@ -57,7 +57,7 @@ void ask(const Geodesic& geodesic, const Query& query, Answers& answers)
     answers.push_back(double(nearest->part));
     add(answers, nearest->location);
   }
-  add(answers, CGAL::ORIGIN + geodesic.gradient(query));
+  add(answers, CGAL::ORIGIN + geodesic.gradient(query).value_or(CGAL::NULL_VECTOR));
   Path_locations path;
   geodesic.shortest_path_to_sources(query, std::back_inserter(path));
   for (const Face_location& l : path) add(answers, l);
@@ -102,7 +102,7 @@ std::vector<Answers> ask_all(const Geodesic& geodesic, const test::Surface_mesh&
     case 4:
       if (keep)
       {
-        const auto farthest = geodesic.farthest_point();
+        const auto farthest = geodesic.farthest_point().value();
         add(answers, farthest.first);
         answers.push_back(farthest.second);
       }
@@ -135,7 +135,7 @@ void run(const std::string& name, const test::Surface_mesh& mesh, bool keep)
   for (Geodesic* g : {&alone, &shared})
   {
     g->add_source_point(point);
-    for (const auto& s : sections) g->add_source_polyline(s.locations, s.closed);
+    for (const auto& s : sections) g->add_source_polyline(s.locations, CGAL::parameters::is_closed(s.closed));
     g->build(CGAL::parameters::keep_windows(keep));
   }
   Path_locations points;

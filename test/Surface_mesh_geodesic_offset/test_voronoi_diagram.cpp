@@ -387,7 +387,7 @@ std::vector<Add_source> random_sources(const Surface_mesh& mesh, std::size_t num
     }
     std::vector<Location> polyline;
     for (const Vertex_index w : path) polyline.push_back(locations.at_vertex(w));
-    sources.push_back([=](Geodesic& g) { g.add_source_polyline(polyline, false, CGAL::parameters::start_value(start)); });
+    sources.push_back([=](Geodesic& g) { g.add_source_polyline(polyline, CGAL::parameters::start_value(start)); });
   }
   return sources;
 }
@@ -897,7 +897,7 @@ void tie_at_a_center()
       mesh,
       {add_edge, [&](Geodesic& g) { g.add_source_point(apex, CGAL::parameters::start_value(field.distance_to_sources(apex))); },
        [&](Geodesic& g) {
-      g.add_source_polyline(std::vector<Location>{apex, center}, false, CGAL::parameters::start_value(start));
+      g.add_source_polyline(std::vector<Location>{apex, center}, CGAL::parameters::start_value(start));
        }});
     std::size_t curves_of_lens = 0;
     for (const auto& c : diagram.curves())
@@ -967,7 +967,7 @@ Add_source along_edge(const Surface_mesh& mesh, Surface_mesh::Halfedge_index h, 
   }
   const Locations<Surface_mesh> locations(mesh);
   return [polyline = std::vector<Location>{locations.on_edge(h, from), locations.on_edge(h, to)}, start_value](Geodesic& g) {
-    g.add_source_polyline(polyline, false, CGAL::parameters::start_value(start_value));
+    g.add_source_polyline(polyline, CGAL::parameters::start_value(start_value));
   };
 }
 
@@ -1344,7 +1344,7 @@ void cases_of_file()
       std::vector<Location> points;
       for (; size > 0; --size) points.push_back(read_location());
       if (points.size() == 1) sources.push_back([points, np](Geodesic& g) { g.add_source_point(points.front(), np); });
-      else sources.push_back([points, np](Geodesic& g) { g.add_source_polyline(points, false, np); });
+      else sources.push_back([points, np](Geodesic& g) { g.add_source_polyline(points, np); });
     }
     if (!CHECK_DETAIL(bool(in), name)) return;
     std::getline(in, line);

@@ -129,7 +129,7 @@ Diagram diagram_of(const Planar_mesh& mesh, const std::vector<Site>& sites)
   Geodesic geodesic(mesh.data.mesh);
   for (const Site& s : sites)
     if (s.a == s.b) geodesic.add_source_point(mesh.location(s.a), CGAL::parameters::start_value(s.start));
-    else geodesic.add_source_polyline(mesh.path({s.a, s.b}, false).locations, false, CGAL::parameters::start_value(s.start));
+    else geodesic.add_source_polyline(mesh.path({s.a, s.b}, false).locations, CGAL::parameters::start_value(s.start));
   ++totals.diagrams;
   return geodesic.build(CGAL::parameters::keep_windows(true)).voronoi_diagram();
 }

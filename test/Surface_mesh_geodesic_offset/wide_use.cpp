@@ -45,8 +45,8 @@ void use_class(const Mesh& mesh)
   Geodesic geodesic(mesh, parameters::geom_traits(Traits()).concurrency_tag(CGAL::Sequential_tag()));
   const auto v = *vertices(mesh).begin();
   geodesic.add_source_point(v, parameters::start_value(0.5));
-  const auto line = geodesic.locate_polyline(std::vector<Point_3>{Point_3(0, 0, 0), Point_3(1, 0, 0)}, false);
-  geodesic.add_source_polyline(line.locations, line.is_closed);
+  const auto line = geodesic.locate_polyline(std::vector<Point_3>{Point_3(0, 0, 0), Point_3(1, 0, 0)});
+  geodesic.add_source_polyline(line);
   geodesic.add_source_plane_section(Kernel::Plane_3(0, 0, 1, 0));
   geodesic.add_source_boundary();
   geodesic.add_source_sharp_edges(30);

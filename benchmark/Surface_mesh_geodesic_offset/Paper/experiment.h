@@ -153,7 +153,7 @@ inline std::vector<Surface_polyline> add_section(Geodesic& geodesic, const Kerne
 {
   const std::vector<Surface_polyline> curves = geodesic.mesh().plane_section(plane).polylines;
   if (curves.empty()) throw std::runtime_error("the plane does not cut the mesh");
-  for (const Surface_polyline& c : curves) geodesic.add_source_polyline(c.locations, c.is_closed);
+  for (const Surface_polyline& c : curves) geodesic.add_source_polyline(c);
   return curves;
 }
 
@@ -235,7 +235,7 @@ Image panel(const Distances& distances, const Mesh& mesh, const View& view, cons
 inline Image panel(const Geodesic& geodesic, const Mesh& mesh, const View& view, const geodesic_offset::Extent& extent,
                    const Drawing& drawing, int width)
 {
-  geodesic_offset::Face_distances distances(mesh, geodesic, geodesic.field().largest_vertex_distance());
+  geodesic_offset::Face_distances distances(mesh, geodesic, geodesic.field().largest_vertex_distance().value());
   distances.interpolate_everywhere();
   return panel(distances, mesh, view, extent, drawing, width);
 }

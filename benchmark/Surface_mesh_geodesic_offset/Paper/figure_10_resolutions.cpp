@@ -98,7 +98,7 @@ public:
   {
     m_sections = add_section(m_geodesic, m_plane);
     m_geodesic.build(CGAL::parameters::keep_windows(true));
-    m_spacing = m_geodesic.field().largest_vertex_distance() / static_cast<double>(number_of_levels + 1);
+    m_spacing = m_geodesic.field().largest_vertex_distance().value() / static_cast<double>(number_of_levels + 1);
     m_offsets = offsets_of(m_geodesic, model.mesh, m_sections);
     std::vector<Point> points;
     for (const Polyline& p : points_on(model.mesh, m_sections)) points.insert(points.end(), p.begin(), p.end());

@@ -52,7 +52,7 @@ void run(Model model, const std::string& picture)
         level->length += c.length();
       }
     print_row({model.name, text(model.number_of_vertices()), text(spacing), text(family.size()), text(all.curves),
-               text(all.length, 6), text(geodesic.field().largest_vertex_distance(), 4)});
+               text(all.length, 6), text(geodesic.field().largest_vertex_distance().value(), 4)});
     families.push_back(family);
 
     Drawing drawing;

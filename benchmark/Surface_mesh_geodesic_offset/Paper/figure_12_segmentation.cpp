@@ -66,8 +66,8 @@ void run(const Model& model, const std::vector<Polyline>& features, const std::s
   {
     const bool is_closed = points.front() == points.back();
     if (is_closed) points.pop_back();
-    curves.push_back(geodesic.mesh().locate_polyline(points, is_closed));
-    geodesic.add_source_polyline(curves.back().locations, curves.back().is_closed);
+    curves.push_back(geodesic.mesh().locate_polyline(points, CGAL::parameters::is_closed(is_closed)));
+    geodesic.add_source_polyline(curves.back());
   }
   const double d = first_distance * model.diagonal();
   std::vector<Offset_curve> offsets;

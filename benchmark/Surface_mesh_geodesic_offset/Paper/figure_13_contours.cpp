@@ -62,7 +62,7 @@ public:
       m_sections(add_section(m_geodesic, middle_plane(model.box())))
   {
     m_geodesic.build();
-    m_spacing = m_geodesic.field().largest_vertex_distance() / static_cast<double>(number_of_levels + 1);
+    m_spacing = m_geodesic.field().largest_vertex_distance().value() / static_cast<double>(number_of_levels + 1);
     std::vector<Offset_curve> curves;
     m_geodesic.build_with_offset_curves(Levels::equally_spaced(m_spacing, number_of_levels), std::back_inserter(curves),
                                         CGAL::parameters::keep_windows(true));

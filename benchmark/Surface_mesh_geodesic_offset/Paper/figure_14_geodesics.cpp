@@ -88,7 +88,7 @@ public:
     : m_mesh(model.mesh), m_on_mesh(m_mesh), m_geodesic(m_mesh), m_sections(add_section(m_geodesic, middle_plane(model.box())))
   {
     m_geodesic.build();
-    const double spacing = m_geodesic.field().largest_vertex_distance() / static_cast<double>(number_of_levels + 1);
+    const double spacing = m_geodesic.field().largest_vertex_distance().value() / static_cast<double>(number_of_levels + 1);
     std::vector<Offset_curve> curves;
     m_geodesic.build_with_offset_curves(Levels::equally_spaced(spacing, number_of_levels), std::back_inserter(curves),
                                         CGAL::parameters::keep_windows(true));

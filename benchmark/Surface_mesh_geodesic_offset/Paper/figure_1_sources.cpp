@@ -64,7 +64,7 @@ void run(const Model& model, const std::string& picture)
       const Point& p = mesh.point(corners[i]);
       on_the_way.push_back(p + (mesh.point(corners[(i + 1) % corners.size()]) - p) / 3);
     }
-    curves.push_back(geodesic.mesh().locate_polyline(on_the_way, corners.size() > 2));
+    curves.push_back(geodesic.mesh().locate_polyline(on_the_way, CGAL::parameters::is_closed(corners.size() > 2)));
   }
 
   std::vector<double> least(mesh.number_of_vertices(), geodesic_offset::infinity);
@@ -79,10 +79,10 @@ void run(const Model& model, const std::string& picture)
     for (std::size_t i = 0; i < d.size(); ++i) least[i] = (std::min)(least[i], d[i]);
   };
   for (Vertex p : points) build_single([p](Geodesic& g) { g.add_source_point(p); });
-  for (const Surface_polyline& c : curves) build_single([&c](Geodesic& g) { g.add_source_polyline(c.locations, c.is_closed); });
+  for (const Surface_polyline& c : curves) build_single([&c](Geodesic& g) { g.add_source_polyline(c); });
 
   geodesic.build();
-  const double spacing = geodesic.field().largest_vertex_distance() / static_cast<double>(number_of_levels + 1);
+  const double spacing = geodesic.field().largest_vertex_distance().value() / static_cast<double>(number_of_levels + 1);
   std::vector<Offset_curve> offsets;
   geodesic.build_with_offset_curves(Levels::equally_spaced(spacing, number_of_levels), std::back_inserter(offsets));
   const std::vector<double> all = distances(geodesic, mesh);

@@ -49,7 +49,7 @@ double spacing_of(const Model& model)
   Geodesic geodesic(model.mesh);
   add_section(geodesic, middle_plane(model.box()));
   geodesic.build(CGAL::parameters::compute_largest_distance(true));
-  return geodesic.largest_distance() / static_cast<double>(number_of_levels + 1);
+  return geodesic.largest_distance().value() / static_cast<double>(number_of_levels + 1);
 }
 
 void run(const Model& model, std::optional<double>& first)

@@ -91,7 +91,7 @@ int main(int argc, char* argv[])
       rounded.add_source_point(data.vertices[0]);
       exact.add_source_point(data.vertices[0]);
       rounded.build();
-      const double level = part * rounded.largest_vertex_distance();
+      const double level = part * rounded.largest_vertex_distance().value();
       const Run expected = offset(rounded, level), r = offset(exact, level);
       const auto statistics = exact.statistics();
       std::printf("| %s | %u | %zu | %zu | %zu | %.2f | %zu | %zu | %zu |\n", m.kind.c_str(), seed,

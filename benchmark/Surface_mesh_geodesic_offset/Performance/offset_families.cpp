@@ -52,7 +52,7 @@ void run(const Mesh& mesh, const std::vector<Section<Mesh>>& sections, double fa
   double seconds[2] = {0, 0};
   const benchmark::Measured_run result = benchmark::measured_run([&](std::vector<double>& figures, std::uint64_t& windows) {
     Geodesic geodesic(mesh);
-    for (const auto& s : sections) geodesic.add_source_polyline(s.locations, s.closed);
+    for (const auto& s : sections) geodesic.add_source_polyline(s.locations, CGAL::parameters::is_closed(s.closed));
     double count = 0;
     geodesic.build_with_offset_curves_by_distance(
       CGAL::Offset_levels<double>::equally_spaced(farthest / static_cast<double>(number + 1), number),
@@ -74,7 +74,7 @@ void run(const Mesh& mesh, const std::vector<Section<Mesh>>& sections, double fa
 bool validate(const Mesh& mesh, const std::vector<Section<Mesh>>& sections, double farthest, std::size_t number)
 {
   Geodesic geodesic(mesh);
-  for (const auto& s : sections) geodesic.add_source_polyline(s.locations, s.closed);
+  for (const auto& s : sections) geodesic.add_source_polyline(s.locations, CGAL::parameters::is_closed(s.closed));
   const auto levels = CGAL::Offset_levels<double>::equally_spaced(farthest / static_cast<double>(number + 1), number);
   std::vector<Geodesic::Offset_curve> curves;
   geodesic.build_with_offset_curves(levels, std::back_inserter(curves), CGAL::parameters::keep_windows(true));
@@ -92,7 +92,7 @@ bool validate(const Mesh& mesh, const std::vector<Section<Mesh>>& sections, doub
 double farthest_vertex(const Mesh& mesh, const std::vector<Section<Mesh>>& sections)
 {
   Geodesic geodesic(mesh);
-  for (const auto& s : sections) geodesic.add_source_polyline(s.locations, s.closed);
+  for (const auto& s : sections) geodesic.add_source_polyline(s.locations, CGAL::parameters::is_closed(s.closed));
   geodesic.build();
   double farthest = 0;
   for (auto v : vertices(mesh))

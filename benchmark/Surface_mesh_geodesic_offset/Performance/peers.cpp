@@ -173,7 +173,7 @@ private:
     Geodesic geodesic(m_mesh);
     if (m_source.curve.empty())
       for (Mesh::Vertex_index v : m_source.vertices) geodesic.add_source_point(v);
-    for (const Section& s : m_source.curve) geodesic.add_source_polyline(s.locations, s.closed);
+    for (const Section& s : m_source.curve) geodesic.add_source_polyline(s.locations, CGAL::parameters::is_closed(s.closed));
     build(geodesic, tolerance, distances, windows);
   }
 

@@ -56,7 +56,7 @@ struct Source
   void add_to(Geodesic& geodesic) const
   {
     for (Mesh::Vertex_index v : vertices) geodesic.add_source_point(v);
-    if (!curve.empty()) geodesic.add_source_polyline(curve, true);
+    if (!curve.empty()) geodesic.add_source_polyline(curve, CGAL::parameters::is_closed(true));
   }
 };
 

@@ -59,7 +59,7 @@ Result run(const Mesh& mesh, int levels)
   Geodesic geodesic(mesh);
   geodesic.add_source_point(*mesh.vertices().begin());
   geodesic.build();
-  const double spacing = geodesic.largest_vertex_distance() / (levels + 1);
+  const double spacing = geodesic.largest_vertex_distance().value() / (levels + 1);
   std::vector<Geodesic::Offset_curve> all;
   geodesic.build_with_offset_curves(CGAL::Offset_levels<double>::equally_spaced(spacing, std::size_t(levels)),
                                     std::back_inserter(all));

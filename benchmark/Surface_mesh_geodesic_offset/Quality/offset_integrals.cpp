@@ -61,7 +61,7 @@ public:
       }
     };
     const auto curve = [&](Geodesic& g) {
-      for (const auto& s : sections) g.add_source_polyline(s.locations, s.closed);
+      for (const auto& s : sections) g.add_source_polyline(s.locations, CGAL::parameters::is_closed(s.closed));
     };
     run(name, "vertex", mesh, vertex, false, random);
     run(name, "points", mesh, points, false, random);

@@ -56,7 +56,7 @@ std::vector<Result> run(const Mesh& mesh, int levels, int repeat)
   Geodesic geodesic(mesh);
   geodesic.add_source_point(*mesh.vertices().begin());
   geodesic.build();
-  const double spacing = geodesic.largest_vertex_distance() / (levels + 1);
+  const double spacing = geodesic.largest_vertex_distance().value() / (levels + 1);
   const auto family = CGAL::Offset_levels<double>::equally_spaced(spacing, std::size_t(levels));
   std::vector<Result> results(tolerances.size());
   for (int i = 0; i < repeat; ++i)

@@ -94,7 +94,7 @@ public:
     const std::vector<Section> curves = test::random_plane_section(mesh, 1);
     if (!curves.empty())
       compare(name, "curve", mesh, [&](auto& solver) {
-        for (const Section& s : curves) solver.add_source_polyline(s.locations, s.closed);
+        for (const Section& s : curves) solver.add_source_polyline(s.locations, CGAL::parameters::is_closed(s.closed));
       });
   }
 

@@ -65,7 +65,7 @@ inline std::uintmax_t bytes_per_point(const std::string& file)
 // reason.
 inline std::string add_curve_files(Output_files& files, const Output_options& options, const Offsets& offsets, double tolerance)
 {
-  const auto parameters = CGAL::parameters::chord_tolerance(tolerance).unit(options.unit);
+  const auto parameters = CGAL::parameters::chord_tolerance(tolerance).length_unit(options.unit);
   std::string problem;
   for(const std::string& file : options.outputs)
   {

@@ -64,7 +64,9 @@ struct File_field
       });
       if(nearest == Mesh::null_vertex()) continue;
       std::size_t k = 1;
-      if(with_sides) columns[k++].values[i] = geodesic.signed_distance_to_sources(nearest);
+      if(with_sides)
+        columns[k++].values[i] =
+          geodesic.signed_distance_to_sources(nearest).value_or(std::numeric_limits<double>::quiet_NaN());
       if(with_details)
       {
         if(const auto source = geodesic.nearest_source(nearest))
@@ -73,7 +75,7 @@ struct File_field
           columns[k + 1].values[i] = static_cast<double>(source->side);
         }
         k += 2;
-        const Vector gradient = geodesic.gradient(nearest);
+        const Vector gradient = geodesic.gradient(nearest).value_or(CGAL::NULL_VECTOR);
         for(int c = 0; c < 3; ++c) columns[k].values[3 * i + static_cast<std::size_t>(c)] = gradient[c];
         ++k;
       }

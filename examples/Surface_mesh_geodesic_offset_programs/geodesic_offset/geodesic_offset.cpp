@@ -89,7 +89,7 @@ Levels plan_levels(const Mesh_input& input, const Sources& sources, Geodesic& ge
 {
   const auto exact_reach = [&] {
     geodesic.build(CGAL::parameters::compute_largest_distance(true).concurrency_tag(Concurrency_tag()));
-    return geodesic.largest_distance();
+    return geodesic.largest_distance().value();
   };
   Levels levels(
     options, input.bounding_box_diagonal(), [&] { return bound_of_reach(input.mesh(), sources); }, exact_reach);
@@ -119,12 +119,12 @@ Solution solve(const Mesh_input& input, const Sources& sources, const Levels& le
   level_files.finish();
   File_field field(input, geodesic, !options.field.empty() && sources.has_polylines(), options.field_details,
                    options.has_tolerance());
-  figures.largest_distance = geodesic.largest_distance();
+  figures.largest_distance = geodesic.largest_distance().value();
   figures.covered_distance = geodesic.covered_distance();
 
   if(options.farthest_point)
   {
-    const Point p = sources.point_of(geodesic.farthest_point().first);
+    const Point p = sources.point_of(geodesic.farthest_point()->first);
     figures.farthest_point = p;
     progress.line("farthest point: " + full_number(p.x()) + ',' + full_number(p.y()) + ',' + full_number(p.z()) +
                   " at distance " + full_number(figures.largest_distance));

@@ -40,8 +40,9 @@ public:
   {
     for(const std::string& file : options.outputs)
       if(supports(file))
-        m_open.push_back({file, std::make_unique<CGAL::IO::Offset_level_writer>(
-                                  files.open(file), CGAL::IO::offset_file_format(file), tolerance)});
+        m_open.push_back({file,
+                          std::make_unique<CGAL::IO::Offset_level_writer>(files.open(file), CGAL::IO::offset_file_format(file),
+                                                                          CGAL::parameters::chord_tolerance(tolerance))});
   }
 
   // Writes the offsets of one distance.

@@ -141,7 +141,7 @@ inline void check_insides(const Sources& sources)
   {
     if(!polylines[i].is_closed) throw Input_error(sources.name_of_polyline(i) + ": an open polyline has no inside");
     Geodesic alone(sources.mesh());
-    alone.add_source_polyline(polylines[i].locations, true);
+    alone.add_source_polyline(polylines[i].locations, CGAL::parameters::is_closed(true));
     try
     {
       alone.build_with_offset_curves_by_distance(

@@ -66,7 +66,7 @@ private:
     }
     try
     {
-      m_curves.push_back(m_geodesic.join_polyline(locations, closed));
+      m_curves.push_back(m_geodesic.join_polyline(locations, CGAL::parameters::is_closed(closed)));
     }
     catch(const std::invalid_argument&)
     {

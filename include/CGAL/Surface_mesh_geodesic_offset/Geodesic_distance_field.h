@@ -25,7 +25,6 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/parameters/named_parameters.h>
 
 #include <cstddef>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -160,7 +159,7 @@ public:
 
   /// the amount by which the distance of a vertex may be smaller than the exact distance: 0 if the build had no tolerance.
   /// For all other points, `statistics()` has the largest such bound. Excludes rounding error.
-  /// \throws std::invalid_argument if the vertex does not belong to the mesh.
+  /// \throws std::invalid_argument if the vertex is null, removed or of another mesh.
   FT error_bound(vertex_descriptor v) const
   {
     const Build& b = built();
@@ -170,11 +169,11 @@ public:
 
   /// the distance, rounded to `double`, with a sign: negative on the left of polylines, which is the inside of
   /// counterclockwise ones, and positive on their right. Infinity if the point is unreachable or farther than
-  /// `covered_distance()`. Not a number if the nearest source is a point or a set of edges, which have no sides, or if the
-  /// nearest point is an end of an open polyline. The side is that of `nearest_source()`, and so is the time, unless the build
-  /// had a tolerance.
+  /// `covered_distance()`. Empty if the nearest source is a point or a set of edges, which have no sides, or if the nearest point
+  /// is an end of an open polyline. The side is that of `nearest_source()`, and so is the time, unless the build had a
+  /// tolerance.
   template <class Location>
-  double signed_distance_to_sources(const Location& location) const
+  std::optional<double> signed_distance_to_sources(const Location& location) const
   {
     const Located_point p = classified(location);
     const Path_start start = start_at(p);
@@ -184,7 +183,7 @@ public:
     {
     case Source_side::LEFT: return -d;
     case Source_side::RIGHT: return d;
-    default: return std::numeric_limits<double>::quiet_NaN();
+    default: return std::nullopt;
     }
   }
 
@@ -210,17 +209,17 @@ public:
   }
 
   /// the gradient of the distance: the unit vector opposite to the direction in which the shortest path to the nearest source
-  /// starts, in the plane of the face in which the path starts. The null vector at sources and at points that have no
-  /// distance, and where the distance is so small that rounding leaves no direction. If there are several shortest paths, the
-  /// gradient is that of the path which `shortest_path_to_sources()` writes.
+  /// starts, in the plane of the face in which the path starts. Empty at sources, at points that have no distance, and where the
+  /// distance is so small that rounding leaves no direction. If there are several shortest paths, the gradient is that of the
+  /// path which `shortest_path_to_sources()` writes.
   template <class Location>
-  Vector_3 gradient(const Location& location) const
+  std::optional<Vector_3> gradient(const Location& location) const
   {
     const Path_start start = start_at(classified(location));
     if (!start.is_reached() || start.halfedge == Geodesic_offset::internal::no_index || start.is_at_source())
-      return CGAL::NULL_VECTOR;
+      return std::nullopt;
     const Number size = length(start.direction);
-    if (CGAL::is_zero(size)) return CGAL::NULL_VECTOR;
+    if (CGAL::is_zero(size)) return std::nullopt;
     return surface().vector(start.halfedge, (Number(-1) / size) * start.direction);
   }
 
@@ -241,9 +240,8 @@ public:
   }
 
   /// the largest distance of the vertices that have a distance. Points between vertices may be farther, see
-  /// `largest_distance()`. Takes linear time.
-  /// \throws std::logic_error if no vertex has a distance
-  FT largest_vertex_distance() const
+  /// `largest_distance()`. Empty if no vertex has a distance, as without sources. Takes linear time.
+  std::optional<FT> largest_vertex_distance() const
   {
     const auto& field = built().field;
     const Number* largest = nullptr;
@@ -252,30 +250,37 @@ public:
       const Number& d = field.distance_of_path(v);
       if (Policy::is_finite(d) && (largest == nullptr || *largest < d)) largest = &d;
     }
-    if (largest == nullptr) throw std::logic_error("Surface_mesh_geodesic_offset: no vertex has a distance");
-    return Surface::exported(*largest);
+    if (largest == nullptr) return std::nullopt;
+    return FT(Surface::exported(*largest));
   }
 
   /// the largest distance of the points of the surface that have a distance, and a point at that distance, which may lie
-  /// inside a face. After a build with `compute_largest_distance(true)` this takes constant time; from kept windows it takes
-  /// time linear in the size of the mesh and little more, on most meshes.
-  /// \throws std::logic_error if the build had neither of these parameters, or had a tolerance, or no point has a distance, or
-  ///         `covered_distance()` is finite
-  std::pair<Face_location, FT> farthest_point() const
+  /// inside a face. Empty if no point has a distance, as without sources. After a build with `compute_largest_distance(true)`
+  /// this takes constant time; from kept windows it takes time linear in the size of the mesh and little more, on most meshes.
+  /// \throws std::logic_error if the build had neither of these parameters, or had a tolerance, or `covered_distance()` is
+  ///         finite
+  std::optional<std::pair<Face_location, FT>> farthest_point() const
   {
     built_exactly();
     if (Policy::is_finite(built().maximum))
       throw std::logic_error("Surface_mesh_geodesic_offset: there is no farthest point: distances were not computed "
                              "everywhere");
     const auto farthest = this->farthest();
-    return {Face_location(surface().face_of[farthest.face], Surface::exported(farthest.weights)),
-            Surface::exported(farthest.distance)};
+    if (!farthest) return std::nullopt;
+    return std::pair<Face_location, FT>(Face_location(surface().face_of[farthest->face], Surface::exported(farthest->weights)),
+                                        Surface::exported(farthest->distance));
   }
 
   /// the largest distance of the points of the surface that have a distance; `covered_distance()` if other points are farther
-  /// away. With a tolerance it may be smaller than the exact one by the tolerance. Takes the time of `farthest_point()`.
-  /// \throws std::logic_error if the build had not the parameters that `farthest_point()` needs, or no point has a distance
-  FT largest_distance() const { return Surface::exported(farthest().distance); }
+  /// away. Empty if no point has a distance. With a tolerance it may be smaller than the exact one by the tolerance. Takes the time
+  /// of `farthest_point()`.
+  /// \throws std::logic_error if the build had not the parameters that `farthest_point()` needs
+  std::optional<FT> largest_distance() const
+  {
+    const auto farthest = this->farthest();
+    if (!farthest) return std::nullopt;
+    return FT(Surface::exported(farthest->distance));
+  }
   /// @}
 
   /// \name Offset Curves
@@ -419,10 +424,9 @@ private:
     return *m_build;
   }
 
-  Geodesic_offset::internal::Farthest<Number> farthest() const
+  std::optional<Geodesic_offset::internal::Farthest<Number>> farthest() const
   {
     const Build& b = built();
-    std::optional<Geodesic_offset::internal::Farthest<Number>> result = b.farthest;
     if (!b.request().finds_farthest)
     {
       if (!b.kept)
@@ -430,10 +434,9 @@ private:
                                "build(parameters::compute_largest_distance(true))");
       Geodesic_offset::internal::Farthest_point<Number> search(unfolded(), b.initial, b.field);
       search.add_all();
-      result = search.result();
+      return search.result();
     }
-    if (!result) throw std::logic_error("Surface_mesh_geodesic_offset: there is no farthest point: no point has a distance");
-    return *result;
+    return b.farthest;
   }
 
   const Build& built_for(const Surface_point& p) const

@@ -12,6 +12,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Geodesic_mesh_data.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/normal_angle.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/own_maps.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/point_conversion.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Polyline_joining.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Plane_cutting.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/workers/Concurrency.h>
@@ -32,7 +33,6 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -176,8 +176,7 @@ public:
     \cgalParamNEnd
   \cgalNamedParamsEnd
 
-  \pre All faces of `tm` are triangles with three different vertices.
-  \throws std::invalid_argument if the precondition does not hold, if the vertices of a face are collinear, or if the lengths
+  \throws std::invalid_argument if a face is not a triangle with three different vertices, if they are collinear, or if the lengths
           of a face do not satisfy the strict triangle inequality, with the index of the face in the message; if a coordinate
           or a length is not finite; or if the longest edge is not between 1e-77 and 1e77 (1e-9 and 1e9 for `float`), where
           fourth powers of lengths overflow or underflow.
@@ -194,85 +193,127 @@ public:
   /// \name Location
   /// The first hundred calls search all faces, in linear time. Later calls use an AABB tree and take logarithmic time on most
   /// meshes. A call with more than a hundred points builds the tree at once, in the time of some hundred searches. Results do not
-  /// depend on the tree: of several faces at the same distance, the location is in the face with the lowest index. A
-  /// location whose distance from a vertex or an edge is at most `tolerance`, a length that is not negative, is exactly there;
-  /// the default tolerance is the round-off of the coordinates. If the mesh has no points, but lengths, these functions throw
-  /// `std::logic_error`.
+  /// depend on the tree: of several faces at the same distance, the location is in the face with the lowest index. Points may belong
+  /// to another kernel than that of the traits: their coordinates are converted. If the mesh has no points, but lengths, these
+  /// functions throw `std::logic_error`.
+  ///
+  /// \cgalNamedParamsBegin
+  ///   \cgalParamNBegin{snapping_tolerance}
+  ///     \cgalParamDescription{a location whose distance from a vertex or an edge is at most this length is exactly there}
+  ///     \cgalParamType{convertible to `FT`, not negative}
+  ///     \cgalParamDefault{the round-off of the coordinates}
+  ///   \cgalParamNEnd
+  /// \cgalNamedParamsEnd
   /// @{
 
   /// the location nearest to a point in space.
+  /// \param p the point
+  /// \param np an optional named parameter, `snapping_tolerance`
   /// \throws std::invalid_argument if the mesh has no faces, or a coordinate or its square is not finite, or if the
   ///         tolerance is negative or not a number.
-  Face_location locate(const Point_3& p) const { return locate(p, data().locator().default_tolerance()); }
-  /// Overload with a tolerance.
-  Face_location locate(const Point_3& p, const FT& tolerance) const { return data().locator().locate(p, tolerance); }
+  template <class NamedParameters = parameters::Default_named_parameters>
+  Face_location locate(const Point_3& p, const NamedParameters& np = parameters::default_values()) const
+  {
+    return data().locator().locate(p, snapping_tolerance(np));
+  }
+
+  /// Overload for a point of another kernel.
+  template <class Point, class NamedParameters = parameters::Default_named_parameters>
+  Face_location locate(const Point& p, const NamedParameters& np = parameters::default_values()) const
+  {
+    return locate(Geodesic_offset::internal::converted_point<Point_3, FT>(p), np);
+  }
 
   /// the location nearest to a point in space, and the distance in space of the point from the location, in the units of the
   /// mesh's points. With a tolerance, the distance can exceed the distance from the surface by no more than the tolerance.
-  std::pair<Face_location, FT> locate_with_distance(const Point_3& p) const
+  /// \param p the point
+  /// \param np an optional named parameter, `snapping_tolerance`
+  /// \throws std::invalid_argument as `locate()`
+  template <class NamedParameters = parameters::Default_named_parameters>
+  std::pair<Face_location, FT> locate_with_distance(const Point_3& p,
+                                                    const NamedParameters& np = parameters::default_values()) const
   {
-    return locate_with_distance(p, data().locator().default_tolerance());
-  }
-  /// Overload with a tolerance.
-  std::pair<Face_location, FT> locate_with_distance(const Point_3& p, const FT& tolerance) const
-  {
-    const Face_location l = locate(p, tolerance);
+    const Face_location l = locate(p, np);
     return {l, Geodesic_offset::internal::square_root<FT>((p - data().surface().point(l)).squared_length())};
   }
 
-  /// the location where a ray meets the surface first, if it does.
-  /// \throws std::invalid_argument as the overload for points, and if the ray is degenerate.
-  std::optional<Face_location> locate(const Ray_3& r) const { return locate(r, data().locator().default_tolerance()); }
-  /// Overload with a tolerance.
-  std::optional<Face_location> locate(const Ray_3& r, const FT& tolerance) const
+  /// Overload for a point of another kernel.
+  template <class Point, class NamedParameters = parameters::Default_named_parameters>
+  std::pair<Face_location, FT> locate_with_distance(const Point& p,
+                                                    const NamedParameters& np = parameters::default_values()) const
   {
-    return data().locator().locate(r, tolerance);
+    return locate_with_distance(Geodesic_offset::internal::converted_point<Point_3, FT>(p), np);
+  }
+
+  /// the location where a ray meets the surface first, if it does.
+  /// \param r the ray
+  /// \param np an optional named parameter, `snapping_tolerance`
+  /// \throws std::invalid_argument as the overload for points, and if the ray is degenerate.
+  template <class NamedParameters = parameters::Default_named_parameters>
+  std::optional<Face_location> locate(const Ray_3& r, const NamedParameters& np = parameters::default_values()) const
+  {
+    return data().locator().locate(r, snapping_tolerance(np));
   }
   /// @}
 
   /// \name Polylines, Sections and Edges
   /// If the mesh has no points, but lengths, these functions throw `std::logic_error`, except for `boundary_edges()`.
+  ///
+  /// \cgalNamedParamsBegin
+  ///   \cgalParamNBegin{is_closed}
+  ///     \cgalParamDescription{whether the last point of a polyline is joined to the first one. The range may repeat the first
+  ///                           point at its end.}
+  ///     \cgalParamType{`bool`}
+  ///     \cgalParamDefault{`false`}
+  ///   \cgalParamNEnd
+  /// \cgalNamedParamsEnd
   /// @{
 
   /// the polyline on the surface through the locations of points in space. Consecutive locations without a common face are
   /// joined by the shortest path on the surface. A location that repeats the one before it is left out. The time for a path
   /// depends on the number of faces that the path may pass, not on the size of the mesh.
-  /// \tparam PointRange a model of `ConstRange` with `Point_3` as value type
+  /// \tparam PointRange a model of `ConstRange` with `Point_3`, or a point of another kernel, as value type
   /// \param points the points
-  /// \param closed whether the last point is joined to the first one. The range may repeat the first point at its end.
+  /// \param np an optional named parameter, `is_closed`
   /// \throws std::invalid_argument if the range is empty, or if there is no path from a point to the next one; and as
   ///         `locate()` does.
-  template <class PointRange>
-  Polyline locate_polyline(const PointRange& points, bool closed = false) const
+  template <class PointRange, class NamedParameters = parameters::Default_named_parameters>
+  Polyline locate_polyline(const PointRange& points, const NamedParameters& np = parameters::default_values()) const
   {
-    return locate_polyline_with_distance(points, closed).first;
+    return locate_polyline_with_distance(points, np).first;
   }
 
   /// the polyline of `locate_polyline()`, and the largest distance in space of a point from its location.
-  /// \tparam PointRange a model of `ConstRange` with `Point_3` as value type
+  /// \tparam PointRange a model of `ConstRange` with `Point_3`, or a point of another kernel, as value type
   /// \param points the points
-  /// \param closed whether the last point is joined to the first one. The range may repeat the first point at its end.
+  /// \param np an optional named parameter, `is_closed`
   /// \throws std::invalid_argument as `locate_polyline()` does.
-  template <class PointRange>
-  std::pair<Polyline, FT> locate_polyline_with_distance(const PointRange& points, bool closed = false) const
+  template <class PointRange, class NamedParameters = parameters::Default_named_parameters>
+  std::pair<Polyline, FT> locate_polyline_with_distance(const PointRange& points,
+                                                        const NamedParameters& np = parameters::default_values()) const
   {
     data().locator().expect(std::size_t(std::distance(std::begin(points), std::end(points))));
     std::vector<Face_location> locations;
     FT largest(0);
-    for (const Point_3& p : points)
+    for (const auto& p : points)
     {
       const std::pair<Face_location, FT> l = locate_with_distance(p);
       locations.push_back(l.first);
       largest = (std::max)(largest, l.second);
     }
-    return {join_polyline(locations, closed), largest};
+    return {join_polyline(locations, np), largest};
   }
 
   /// the polyline on the surface through locations. Overload of `locate_polyline()` for points that are on the surface.
-  /// \tparam FaceLocationRange a model of `ConstRange` with `Face_location` as value type
-  template <class FaceLocationRange>
-  Polyline join_polyline(const FaceLocationRange& locations, bool closed = false) const
+  /// \tparam FaceLocationRange a model of `ConstRange` with `Face_location`, or a location with the coordinates of another kernel,
+  ///         as value type
+  /// \param locations the points
+  /// \param np an optional named parameter, `is_closed`
+  /// \throws std::invalid_argument as `locate_polyline()` does, and if a location is not valid.
+  template <class FaceLocationRange, class NamedParameters = parameters::Default_named_parameters>
+  Polyline join_polyline(const FaceLocationRange& locations, const NamedParameters& np = parameters::default_values()) const
   {
+    Geodesic_offset::internal::check_named_parameters<Geodesic_offset::internal::Joining_parameters, NamedParameters>();
     const Surface& surface = data().surface_with_points();
     const Geodesic_offset::internal::Polyline_joining<Surface> join(surface, data().traits);
     Polyline polyline;
@@ -289,13 +330,13 @@ public:
       path.push_back(l);
       last = p;
     };
-    for (const Face_location& l : locations)
+    for (const auto& l : locations)
     {
-      add(l);
+      add(Geodesic_offset::internal::converted_location<FT>(l));
       ++i;
     }
     if (!last) throw std::invalid_argument("Surface_mesh_geodesic_offset: a polyline without points");
-    if (closed)
+    if (Geodesic_offset::internal::is_closed_of(np))
     {
       i = 0;
       add(Face_location(polyline.locations.front()));
@@ -359,8 +400,7 @@ public:
   }
 
   /// the edges of one boundary cycle, that of a border halfedge. Edges without a face are left out.
-  /// \pre The halfedge belongs to the mesh.
-  /// \throws std::invalid_argument if the halfedge is not a border halfedge, or is null.
+  /// \throws std::invalid_argument if the halfedge is not a border halfedge, or if it is null, removed or of another mesh.
   std::vector<edge_descriptor> boundary_edges(halfedge_descriptor border) const
   {
     data().surface().check_halfedge(border);
@@ -415,6 +455,16 @@ private:
       return Geodesic_offset::internal::converted_map<Vertex_point_map>(
         parameters::get_parameter(np, internal_np::vertex_point));
     else return (void)np, get(boost::vertex_point, tm);
+  }
+
+  template <class NamedParameters>
+  FT snapping_tolerance(const NamedParameters& np) const
+  {
+    namespace internal = Geodesic_offset::internal;
+    internal::check_named_parameters<internal::Location_parameters, NamedParameters>();
+    if constexpr (internal::has_parameter<internal_np::snapping_tolerance_t, NamedParameters>)
+      return FT(parameters::get_parameter(np, internal_np::snapping_tolerance));
+    else return (void)np, FT(data().locator().default_tolerance());
   }
 
   // The location of a classified point, exactly on the edge or at the vertex; the given one if it is there already.

@@ -6,8 +6,11 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
+#include <CGAL/Surface_mesh_geodesic_offset/Geodesic_plane_section.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/point_conversion.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/parameters/named_parameters.h>
 
+#include <CGAL/NT_converter.h>
 #include <CGAL/boost/graph/properties.h>
 
 #include <array>
@@ -70,6 +73,22 @@ public:
   };
   /// @}
 
+  /// \name Construction
+  /// @{
+
+  /// makes a set without sources.
+  Geodesic_source_set() = default;
+
+  /// converts the numbers of a set with another number type. The sources have the same ids.
+  template <class Number>
+  explicit Geodesic_source_set(const Geodesic_source_set<TriangleMesh, Number>& set) : m_next(set.m_next)
+  {
+    const CGAL::NT_converter<Number, FT> convert{};
+    for (const auto& [id, s] : set.m_sources)
+      m_sources.emplace(id, Source{Kind(s.kind), s.vertex, converted(s.locations), s.edges, convert(s.start_value)});
+  }
+  /// @}
+
   /// \name Modification
   /// Each function that adds a source returns its id: 0, 1, 2, ... Ids of removed sources are not used again. Constant or
   /// linear time in the size of the source, and logarithmic time in the number of sources.
@@ -96,19 +115,38 @@ public:
                 Geodesic_offset::internal::start_value_of<FT>(np)});
   }
 
-  /// adds a polyline. Each of its segments is straight within one closed face.
-  /// \tparam FaceLocationRange a model of `ConstRange` with values that are convertible to `Face_location`
-  /// \param locations the vertices of the polyline, at least one
-  /// \param closed whether the last point is joined to the first one
-  template <class FaceLocationRange, class NamedParameters = parameters::Default_named_parameters>
-  std::size_t add_polyline(const FaceLocationRange& locations, bool closed = false,
+  /// Overload for a location with the coordinates of another kernel, which are converted.
+  template <class Coordinate, class NamedParameters = parameters::Default_named_parameters>
+  std::size_t add_location(const std::pair<face_descriptor, std::array<Coordinate, 3>>& location,
                            const NamedParameters& np = parameters::default_values())
   {
-    return add({closed ? Kind::CLOSED_POLYLINE : Kind::OPEN_POLYLINE,
+    return add_location(Geodesic_offset::internal::converted_location<FT>(location), np);
+  }
+
+  /// adds a polyline. Reads another named parameter, `is_closed(b)`: whether the last point is joined to the first one (default:
+  /// `false`). Each of its segments is straight within one closed face.
+  /// \tparam FaceLocationRange a model of `ConstRange` with `Face_location`, or a location with the coordinates of another kernel,
+  ///         as value type
+  /// \param locations the vertices of the polyline, at least one
+  template <class FaceLocationRange, class NamedParameters = parameters::Default_named_parameters>
+  std::size_t add_polyline(const FaceLocationRange& locations, const NamedParameters& np = parameters::default_values())
+  {
+    namespace internal = Geodesic_offset::internal;
+    const FT start_value = internal::start_value_of<FT, internal::Polyline_source_parameters>(np);
+    return add({internal::is_closed_of(np) ? Kind::CLOSED_POLYLINE : Kind::OPEN_POLYLINE,
                 boost::graph_traits<TriangleMesh>::null_vertex(),
-                std::vector<Face_location>(std::begin(locations), std::end(locations)),
+                converted(locations),
                 {},
-                Geodesic_offset::internal::start_value_of<FT>(np)});
+                start_value});
+  }
+
+  /// Overload for a polyline that is open or closed itself; its locations may have the coordinates of another kernel.
+  template <class Location, class NamedParameters = parameters::Default_named_parameters>
+  std::size_t add_polyline(const Geodesic_polyline<Location>& polyline,
+                           const NamedParameters& np = parameters::default_values())
+  {
+    Geodesic_offset::internal::check_named_parameters<Geodesic_offset::internal::Source_parameters, NamedParameters>();
+    return add_polyline(polyline.locations, np.is_closed(polyline.is_closed));
   }
 
   /// adds a set of edges.
@@ -157,6 +195,17 @@ public:
   /// @}
 
 private:
+  template <class, class>
+  friend class Geodesic_source_set;
+
+  template <class FaceLocationRange>
+  static std::vector<Face_location> converted(const FaceLocationRange& locations)
+  {
+    std::vector<Face_location> result;
+    for (const auto& l : locations) result.push_back(Geodesic_offset::internal::converted_location<FT>(l));
+    return result;
+  }
+
   std::map<std::size_t, Source> m_sources;
   std::size_t m_next = 0;
 };

@@ -157,11 +157,11 @@ public:
   }
 
   /// the point in space of a location.
-  /// \throws std::invalid_argument if the face of the location is null or of another mesh
+  /// \throws std::invalid_argument if the face of the location is null, removed or of another mesh
   Point_3 point(const Face_location& location) const
   {
     chain(); // or an exception
-    m_context->surface->check_face(location.first);
+    m_context->surface->checked_index_of(location.first);
     return m_context->surface->point(location);
   }
   /// @}
@@ -289,12 +289,11 @@ public:
 
   /// the id of the source whose cell has the center of a face: the cell of all points of the face, if no curve has a piece in it.
   /// `Geodesic_distance_field::no_source()` if no path reaches the face.
-  /// \throws std::invalid_argument if the face is null or of another mesh
+  /// \throws std::invalid_argument if the face is null, removed or of another mesh
   std::size_t source_at_face(face_descriptor f) const
   {
     const Diagram& d = diagram();
-    m_context->surface->check_face(f);
-    const auto label = d.label_of_face[m_context->surface->index_of(f)];
+    const auto label = d.label_of_face[m_context->surface->checked_index_of(f)];
     return label == Geodesic_offset::internal::no_index ? Geodesic_offset::internal::no_source_label : std::size_t(label);
   }
 

@@ -196,10 +196,10 @@ public:
   }
 
   /// the point in space of a location.
-  /// \throws std::invalid_argument if the face of the location is null or of another mesh
+  /// \throws std::invalid_argument if the face of the location is null, removed or of another mesh
   Point_3 point(const Face_location& location) const
   {
-    context().surface->check_face(location.first);
+    context().surface->checked_index_of(location.first);
     return m_context->surface->point(location);
   }
   /// @}

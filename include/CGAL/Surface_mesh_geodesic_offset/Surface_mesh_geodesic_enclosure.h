@@ -17,6 +17,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/sources/source_classification.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/parameters/named_parameters.h>
 
+#include <array>
 #include <cstddef>
 #include <memory>
 #include <stdexcept>
@@ -69,6 +70,8 @@ public:
   typedef typename Mesh::vertex_descriptor vertex_descriptor;
   /// an edge of the mesh
   typedef typename Mesh::edge_descriptor edge_descriptor;
+  /// a face of the mesh
+  typedef typename Mesh::face_descriptor face_descriptor;
   /// a point of the surface
   typedef typename Mesh::Face_location Face_location;
   /// a polyline on the surface
@@ -87,12 +90,15 @@ public:
 
   /// sets up the mesh.
   /// \param tm the mesh
-  /// \param np an optional sequence of named parameters, those of `Geodesic_mesh::Geodesic_mesh()` except for `edge_length_map`
+  /// \param np an optional sequence of named parameters, those of `Geodesic_mesh::Geodesic_mesh()` except for `edge_length_map`,
+  ///        with which the call does not compile: the bounds need points
   /// \throws std::invalid_argument and std::length_error as `Geodesic_mesh::Geodesic_mesh()`
   template <class NamedParameters = parameters::Default_named_parameters>
   explicit Surface_mesh_geodesic_enclosure(const Triangle_mesh& tm, const NamedParameters& np = parameters::default_values())
     : m_mesh(tm, np)
   {
+    namespace internal = Geodesic_offset::internal;
+    internal::check_named_parameters<internal::Mesh_with_points_parameters, NamedParameters>();
   }
 
   /// shares a mesh that is set up.
@@ -127,6 +133,14 @@ public:
     return add_sources(set).front();
   }
 
+  /// Overload for a location with the coordinates of another kernel, which are converted.
+  template <class Coordinate, class NamedParameters = parameters::Default_named_parameters>
+  std::size_t add_source_point(const std::pair<face_descriptor, std::array<Coordinate, 3>>& location,
+                               const NamedParameters& np = parameters::default_values())
+  {
+    return add_source_point(Geodesic_offset::internal::converted_location<double>(location), np);
+  }
+
   /// adds each point of a range as a source of its own.
   /// \return the ids of the sources, in the order of the range
   template <class LocationRange, class NamedParameters = parameters::Default_named_parameters>
@@ -134,17 +148,26 @@ public:
                                              const NamedParameters& np = parameters::default_values())
   {
     Source_set set;
-    for (const auto& l : locations) Geodesic_offset::internal::add_point<double>(set, l, np);
+    for (const auto& l : locations) Geodesic_offset::internal::add_point(set, l, np);
     return add_sources(set);
   }
 
   /// adds a polyline.
   template <class FaceLocationRange, class NamedParameters = parameters::Default_named_parameters>
-  std::size_t add_source_polyline(const FaceLocationRange& locations, bool closed = false,
+  std::size_t add_source_polyline(const FaceLocationRange& locations, const NamedParameters& np = parameters::default_values())
+  {
+    Source_set set;
+    set.add_polyline(locations, np);
+    return add_sources(set).front();
+  }
+
+  /// Overload for a polyline that is open or closed itself.
+  template <class Location, class NamedParameters = parameters::Default_named_parameters>
+  std::size_t add_source_polyline(const Geodesic_polyline<Location>& polyline,
                                   const NamedParameters& np = parameters::default_values())
   {
     Source_set set;
-    set.add_polyline(locations, closed, np);
+    set.add_polyline(polyline, np);
     return add_sources(set).front();
   }
 
@@ -181,10 +204,10 @@ public:
   /// computes the bounds for the sources added so far. Without any source, all points are at infinity. In the worst case
   /// O(n^2) windows are propagated; on most meshes their number grows like n^1.5. Runs on the calling thread.
   /// \param np an optional named parameter, `keep_windows(b)`: whether the windows are kept for queries at points other than
-  ///        vertices; some 100 bytes per window stay in memory then. The bounds are always those of the whole surface, as
-  ///        tight as the algorithm gives them: other parameters, such as a distance limit or a tolerance, are ignored.
-  /// \throws std::logic_error if the rounding mode is not to nearest, or the compiler has rearranged floating point
-  ///         operations
+  ///        vertices; some 100 bytes per window stay in memory then. Other parameters, such as a distance limit or a
+  ///        tolerance, do not compile: the bounds are always those of the whole surface, as tight as the algorithm gives them.
+  /// \throws std::logic_error if the rounding mode is not to nearest, if the compiler has rearranged floating point
+  ///         operations, or if the mesh was set up with lengths instead of points
   /// \throws std::runtime_error if thousands of windows reach one edge of a small mesh: in needle faces thinner than about
   ///         1e-4, bounds may not decide which of two windows is nearer, so that the number of windows doubles in each face;
   ///         or if a path may cross 2^16 faces without a bend, or a distance is uncertain by more than a quarter of the mean

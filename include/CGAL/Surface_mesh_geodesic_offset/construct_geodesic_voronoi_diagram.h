@@ -39,7 +39,7 @@ The time is that of `geodesic_distances()` with kept windows, and of `Geodesic_d
 \tparam Sources the type of the sources, see `sources`
 \tparam NamedParameters a sequence of named parameters
 \param tm the mesh, which must outlive the diagram
-\param sources the sources, in each form that `geodesic_distances()` accepts; the ids of cells are the indices in the range
+\param sources the sources, in each form that `geodesic_distances()` accepts; the cells have the ids of the sources
 \param np an optional sequence of named parameters among those listed below
 
 \cgalNamedParamsBegin
@@ -51,7 +51,6 @@ The time is that of `geodesic_distances()` with kept windows, and of `Geodesic_d
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\pre All faces of `tm` are triangles with three different vertices.
 \throws std::logic_error if the visitor cancels the computation
 \throws std::invalid_argument and other exceptions as `geodesic_distances()`
 */

@@ -29,9 +29,11 @@ sets it up once.
 \param tm the mesh
 \param sources the sources:
        a vertex; a location in a face; a point in space, which is located on the mesh; a `Geodesic_polyline`; a range of points in
-       space, the vertices of one polyline, which is closed if its last point is the first one; a range of edges, which are one
-       source; a `Geodesic_source_set`; or a range of these, such as a range of vertices, each of which is a source of its own.
-       Locations may have the coordinates of another kernel. Sources have the ids 0, 1, 2, ... in their order.
+       space, the vertices of one polyline, which is closed if its last point is the first one; an edge; a range of edges, which
+       are one source; a `Geodesic_source_set`; or a range of these, such as a range of vertices, each of which is a source of its
+       own. Types that convert to a vertex or edge descriptor, as the smart handles of OpenMesh do, stand for it. Locations may
+       have the coordinates of another kernel. Sources have the ids 0, 1, 2, ... in their order; those of a source set keep the
+       ids that they have in the set.
 \param distances the map that receives the distances
 \param np an optional sequence of named parameters among those listed below
 
@@ -44,7 +46,6 @@ sets it up once.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\pre All faces of `tm` are triangles with three different vertices.
 \throws std::invalid_argument and other exceptions as `Geodesic_mesh::Geodesic_mesh()`,
         `Surface_mesh_geodesic_offset::build()` and the functions of `Surface_mesh_geodesic_offset` that add sources
 */

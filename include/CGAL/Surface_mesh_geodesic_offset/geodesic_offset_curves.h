@@ -65,7 +65,6 @@ The time is that of setting up the mesh, linear in its size, and of
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\pre All faces of `tm` are triangles with three different vertices.
 \throws std::invalid_argument and other exceptions as `geodesic_distances()` and
         `Surface_mesh_geodesic_offset::build_with_offset_curves()`
 */

@@ -29,7 +29,6 @@ The label of a vertex is the id of its nearest source. Vertices that no path rea
 \param sources the sources, in each form that `geodesic_distances()` accepts
 \param labels the map that receives the labels
 \param np an optional sequence of named parameters, those of `geodesic_distances()`
-\pre All faces of `tm` are triangles with three different vertices.
 \throws std::invalid_argument and other exceptions as `geodesic_distances()`
 */
 template <class TriangleMesh, class Sources, class VertexLabelMap, class NamedParameters = parameters::Default_named_parameters>

@@ -47,7 +47,6 @@ stops once the distance of the point is final; otherwise the time is that of `ge
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\pre All faces of `tm` are triangles with three different vertices.
 \throws std::invalid_argument and other exceptions as `geodesic_distances()`; std::invalid_argument also if `from` is not valid
 */
 template <class TriangleMesh, class From, class Sources, class OutputIterator,

@@ -126,7 +126,7 @@ private:
 
   void split_along_offsets(double chord_tolerance)
   {
-    const double largest = geodesic_.largest_distance();
+    const double largest = geodesic_.largest_distance().value();
     std::vector<double> levels;
     for (std::size_t n = 1 + bytes_.index(3); n > 0; --n) levels.push_back(draw_level(largest));
     levels.erase(std::remove_if(levels.begin(), levels.end(), [&](double d) { return !(d > 1e-9 * size_); }), levels.end());

@@ -36,14 +36,14 @@ public:
     const auto start = CGAL::parameters::start_value(start_value);
     switch (bytes_.index(6))
     {
-    case 0: geodesic.add_source_polyline(path_of_edges(), false, start); break;
+    case 0: geodesic.add_source_polyline(path_of_edges(), start); break;
     case 1: geodesic.add_source_edges(std::vector<Surface_mesh::Edge_index>{data_.mesh.edge(draw_halfedge())}, start); break;
     case 2:
     { // around a face
       Path path;
       for (const auto h : data_.mesh.halfedges_around_face(draw_halfedge()))
         path.push_back(locations_.at_vertex(data_.mesh.source(h)));
-      geodesic.add_source_polyline(path, true, start);
+      geodesic.add_source_polyline(path, start.is_closed(true));
       break;
     }
     case 3:
@@ -53,7 +53,7 @@ public:
       if (a * a + b * b + c * c > 0) geodesic.add_source_plane_section({p, CGAL::Vector_3<Kernel>(a, b, c)});
       break;
     }
-    default: geodesic.add_source_polyline(polyline_across_faces(), false, start);
+    default: geodesic.add_source_polyline(polyline_across_faces(), start);
     }
   }
 

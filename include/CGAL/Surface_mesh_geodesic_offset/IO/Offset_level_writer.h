@@ -7,6 +7,7 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/IO/Offset_file_format.h>
+#include <CGAL/Surface_mesh_geodesic_offset/IO/internal/writing_parameters.h>
 #include <CGAL/Surface_mesh_geodesic_offset/IO/write_csv.h>
 #include <CGAL/Surface_mesh_geodesic_offset/IO/write_obj.h>
 #include <CGAL/Surface_mesh_geodesic_offset/IO/write_polylines.h>
@@ -34,7 +35,7 @@ piece per part. With `Surface_mesh_geodesic_offset::build_with_offset_curves_by_
 
 \code
 std::ofstream file("offsets.vtp", std::ios::binary);
-CGAL::IO::Offset_level_writer writer(file, CGAL::IO::Offset_file_format::VTP, tolerance);
+CGAL::IO::Offset_level_writer writer(file, CGAL::IO::Offset_file_format::VTP, CGAL::parameters::chord_tolerance(tolerance));
 geodesic.build_with_offset_curves_by_distance(distances, [&](double, auto&& curves) { writer.write(curves); });
 const bool is_written = writer.finish();
 \endcode
@@ -54,14 +55,26 @@ public:
   /// writes the begin of the file.
   /// \param os the stream, which must outlive the writer
   /// \param format the format
-  /// \param chord_tolerance the largest distance of polylines in the file from their curves, in the units of the mesh's points
+  /// \tparam NamedParameters a sequence of named parameters
+  /// \param np a named parameter
+  ///
+  /// \cgalNamedParamsBegin
+  ///   \cgalParamNBegin{chord_tolerance}
+  ///     \cgalParamDescription{the largest distance of polylines in the file from their curves, in the units of the mesh's
+  ///                           points}
+  ///     \cgalParamType{a number type, convertible to `double`; positive}
+  ///     \cgalParamDefault{none: the curves are not known yet, so the parameter is required}
+  ///   \cgalParamNEnd
+  /// \cgalNamedParamsEnd
+  ///
   /// \throws std::invalid_argument unless `supports(format)` and `chord_tolerance > 0`; then nothing has been written
-  Offset_level_writer(std::ostream& os, Offset_file_format format, double chord_tolerance)
-    : m_os(os), m_tolerance(chord_tolerance)
+  template <class NamedParameters>
+  Offset_level_writer(std::ostream& os, Offset_file_format format, const NamedParameters& np)
+    : m_os(os), m_tolerance(Surface_mesh_geodesic_offset_internal::required_chord_tolerance(np))
   {
     using namespace Surface_mesh_geodesic_offset_internal;
     if (!supports(format)) throw std::invalid_argument("Surface_mesh_geodesic_offset: the format cannot be written in parts");
-    Geodesic_offset::internal::check_chord_tolerance(chord_tolerance);
+    Geodesic_offset::internal::check_chord_tolerance(m_tolerance);
     if (format == Offset_file_format::VTP) m_lines = Vtp_lines();
     else if (format == Offset_file_format::OBJ) m_lines = Obj_lines();
     else if (format == Offset_file_format::CSV) m_lines = Csv_lines();

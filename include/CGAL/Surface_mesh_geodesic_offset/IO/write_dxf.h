@@ -10,6 +10,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/IO/internal/discretized_curves.h>
 #include <CGAL/Surface_mesh_geodesic_offset/IO/internal/Dxf_document.h>
 #include <CGAL/Surface_mesh_geodesic_offset/IO/internal/plane_pieces.h>
+#include <CGAL/Surface_mesh_geodesic_offset/IO/internal/writing_parameters.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/curves/Curve_thinning.h>
 
 #include <CGAL/number_type_config.h>
@@ -182,17 +183,32 @@ named `offset_` and the distance. One unit of the file is one unit of the mesh.
 \tparam OffsetCurveRange a model of `ConstRange` with `Surface_mesh_geodesic_offset::Offset_curve` as value type
 \param os the stream
 \param curves the curves
-\param chord_tolerance the largest distance of a 3D polyline from its curve; positive
-\param unit the unit of the mesh, for `$INSUNITS`; without one, the file is unitless
+\param np an optional sequence of named parameters among those listed below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{chord_tolerance}
+    \cgalParamDescription{the largest distance of a 3D polyline from its curve, in the units of the mesh's points}
+    \cgalParamType{a number type, convertible to `double`; positive}
+    \cgalParamDefault{that of `write_offset_curves()`}
+  \cgalParamNEnd
+  \cgalParamNBegin{length_unit}
+    \cgalParamDescription{the unit of the mesh, for `$INSUNITS`; without one, the file is unitless}
+    \cgalParamType{`IO::Length_unit`}
+    \cgalParamDefault{`IO::Length_unit::NONE`}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
 \return whether the stream is still good.
 \throws std::invalid_argument unless `chord_tolerance > 0`; then nothing has been written
 \throws std::length_error as `Geodesic_offset_curve::points()`; then nothing has been written
 */
-template <class OffsetCurveRange, class FT>
-bool write_offset_DXF(std::ostream& os, const OffsetCurveRange& curves, const FT& chord_tolerance,
-                      Length_unit unit = Length_unit::NONE)
+template <class OffsetCurveRange, class NamedParameters = parameters::Default_named_parameters>
+bool write_offset_DXF(std::ostream& os, const OffsetCurveRange& curves,
+                      const NamedParameters& np = parameters::default_values())
 {
   namespace internal = Surface_mesh_geodesic_offset_internal;
+  const double chord_tolerance = internal::chord_tolerance_of<Geodesic_offset::internal::Writing_parameters>(curves, np);
+  const Length_unit unit = internal::length_unit_of<Geodesic_offset::internal::Writing_parameters>(np);
   Geodesic_offset::internal::check_all_numbers_of_chords(curves, chord_tolerance); // before any output
   std::vector<std::string> layers;
   std::map<std::string, std::size_t> layer_of;

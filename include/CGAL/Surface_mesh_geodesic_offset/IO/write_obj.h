@@ -7,6 +7,7 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/IO/internal/discretized_curves.h>
+#include <CGAL/Surface_mesh_geodesic_offset/IO/internal/writing_parameters.h>
 
 #include <cstddef>
 #include <ostream>
@@ -69,16 +70,26 @@ range. A closed line ends with the index of its first point.
 \tparam OffsetCurveRange a model of `ConstRange` with `Surface_mesh_geodesic_offset::Offset_curve` as value type
 \param os the stream
 \param curves the curves
-\param chord_tolerance the largest distance of a line from its curve; positive
+\param np an optional named parameter
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{chord_tolerance}
+    \cgalParamDescription{the largest distance of a line from its curve, in the units of the mesh's points}
+    \cgalParamType{a number type, convertible to `double`; positive}
+    \cgalParamDefault{that of `write_offset_curves()`}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
 \return whether the stream is still good.
 \throws std::invalid_argument unless `chord_tolerance > 0`; then nothing has been written
 \throws std::length_error as `Geodesic_offset_curve::points()`; then nothing has been written
 */
-template <class OffsetCurveRange, class FT>
-bool write_offset_OBJ(std::ostream& os, const OffsetCurveRange& curves, const FT& chord_tolerance)
+template <class OffsetCurveRange, class NamedParameters = parameters::Default_named_parameters>
+bool write_offset_OBJ(std::ostream& os, const OffsetCurveRange& curves,
+                      const NamedParameters& np = parameters::default_values())
 {
   return Surface_mesh_geodesic_offset_internal::write_lines<Surface_mesh_geodesic_offset_internal::Obj_lines>(
-    os, curves, chord_tolerance);
+    os, curves, Surface_mesh_geodesic_offset_internal::chord_tolerance_of(curves, np));
 }
 
 } // namespace IO

@@ -8,8 +8,8 @@
 
 #include <CGAL/Surface_mesh_geodesic_offset/IO/Length_unit.h>
 #include <CGAL/Surface_mesh_geodesic_offset/IO/Offset_file_format.h>
-#include <CGAL/Surface_mesh_geodesic_offset/IO/internal/discretized_curves.h>
 #include <CGAL/Surface_mesh_geodesic_offset/IO/internal/Plane_of_curves.h>
+#include <CGAL/Surface_mesh_geodesic_offset/IO/internal/writing_parameters.h>
 #include <CGAL/Surface_mesh_geodesic_offset/IO/write_csv.h>
 #include <CGAL/Surface_mesh_geodesic_offset/IO/write_dxf.h>
 #include <CGAL/Surface_mesh_geodesic_offset/IO/write_obj.h>
@@ -19,12 +19,9 @@
 #include <CGAL/Surface_mesh_geodesic_offset/IO/write_vtp.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/parameters/named_parameters.h>
 
-#include <cmath>
-#include <cstddef>
 #include <fstream>
 #include <ostream>
 #include <string>
-#include <type_traits>
 
 namespace CGAL {
 namespace IO {
@@ -41,13 +38,10 @@ public:
   template <class NamedParameters>
   Offset_curves_writer(Offset_file_format format, const CurveRange& curves, const NamedParameters& np)
     : m_curves(curves), m_format(format),
-      m_tolerance(CGAL::to_double(
-        parameters::choose_parameter(parameters::get_parameter(np, internal_np::geodesic_chord_tolerance), 0.))),
-      m_unit(parameters::choose_parameter(parameters::get_parameter(np, internal_np::geodesic_length_unit), Length_unit::NONE))
+      m_tolerance(chord_tolerance_of<Geodesic_offset::internal::Writing_parameters>(curves, np)),
+      m_unit(length_unit_of<Geodesic_offset::internal::Writing_parameters>(np))
   {
     using namespace Geodesic_offset::internal;
-    check_named_parameters<Writing_parameters, NamedParameters>();
-    if (!has_parameter<internal_np::geodesic_chord_tolerance_t, NamedParameters>) m_tolerance = default_tolerance();
     check_chord_tolerance(m_tolerance);
     if (format == Offset_file_format::SVG) Plane_of_curves<CurveRange>{curves};
     else check_all_numbers_of_chords(curves, m_tolerance);
@@ -55,33 +49,23 @@ public:
 
   bool write(std::ostream& os) const
   {
+    const auto chord = parameters::chord_tolerance(m_tolerance);
     switch (m_format)
     {
-    case Offset_file_format::VTK: return write_offset_VTK(os, m_curves, m_tolerance);
-    case Offset_file_format::VTP: return write_offset_VTP(os, m_curves, m_tolerance);
-    case Offset_file_format::CSV: return write_offset_CSV(os, m_curves, m_tolerance);
-    case Offset_file_format::OBJ: return write_offset_OBJ(os, m_curves, m_tolerance);
-    case Offset_file_format::DXF: return write_offset_DXF(os, m_curves, m_tolerance, m_unit);
-    case Offset_file_format::SVG: return write_offset_SVG(os, m_curves, m_unit);
-    default: return write_offset_polylines(os, m_curves, m_tolerance);
+    case Offset_file_format::VTK: return write_offset_VTK(os, m_curves, chord);
+    case Offset_file_format::VTP: return write_offset_VTP(os, m_curves, chord);
+    case Offset_file_format::CSV: return write_offset_CSV(os, m_curves, chord);
+    case Offset_file_format::OBJ: return write_offset_OBJ(os, m_curves, chord);
+    case Offset_file_format::DXF: return write_offset_DXF(os, m_curves, chord.length_unit(m_unit));
+    case Offset_file_format::SVG: return write_offset_SVG(os, m_curves, parameters::length_unit(m_unit));
+    default: return write_offset_polylines(os, m_curves, chord);
     }
   }
 
 private:
-  // The box of the points between pieces has at least half the extent of the curves, since no piece exceeds a half turn.
-  double default_tolerance() const
-  {
-    Bbox_3 box;
-    for (const auto& curve : m_curves)
-      for (std::size_t i = 0; i < curve.number_of_pieces(); ++i)
-        box += bbox(coordinates(curve.point(curve.piece(i).start()))) + bbox(coordinates(curve.point(curve.piece(i).end())));
-    const double size = std::hypot(box.x_span(), box.y_span(), box.z_span());
-    return std::isfinite(size) && size > 0 ? Geodesic_offset::internal::default_chord_tolerance * size : 1;
-  }
-
   const CurveRange& m_curves;
   const Offset_file_format m_format;
-  double m_tolerance;
+  const double m_tolerance;
   const Length_unit m_unit;
 };
 
@@ -107,7 +91,7 @@ private:
     \cgalParamType{a number type, convertible to `double`; positive}
     \cgalParamDefault{1e-4 of the diagonal of the bounding box of the end points of all pieces}
   \cgalParamNEnd
-  \cgalParamNBegin{unit}
+  \cgalParamNBegin{length_unit}
     \cgalParamDescription{the unit of the mesh, for DXF and SVG; other formats have no unit}
     \cgalParamType{`IO::Length_unit`}
     \cgalParamDefault{`IO::Length_unit::NONE`}

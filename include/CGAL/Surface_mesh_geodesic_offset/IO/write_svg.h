@@ -10,6 +10,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/IO/internal/discretized_curves.h>
 #include <CGAL/Surface_mesh_geodesic_offset/IO/internal/Plane_of_curves.h>
 #include <CGAL/Surface_mesh_geodesic_offset/IO/internal/plane_pieces.h>
+#include <CGAL/Surface_mesh_geodesic_offset/IO/internal/writing_parameters.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/parameters/named_parameters.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -165,16 +166,27 @@ down. Other planes are drawn from the outside of the surface, with the z axis po
 \tparam OffsetCurveRange a model of `ConstRange` with `Surface_mesh_geodesic_offset::Offset_curve` as value type
 \param os the stream
 \param curves the curves
-\param unit the unit of the mesh. With a unit, the picture has a width and a height in this unit, or in millimeters for
-       meters; otherwise it fills the page or window that displays it.
+\param np an optional named parameter
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{length_unit}
+    \cgalParamDescription{the unit of the mesh. With a unit, the picture has a width and a height in this unit, or in millimeters
+                          for meters; otherwise it fills the page or window that displays it.}
+    \cgalParamType{`IO::Length_unit`}
+    \cgalParamDefault{`IO::Length_unit::NONE`}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
 \return whether the stream is still good.
 \throws std::invalid_argument if the faces that the curves cross do not lie in one plane, up to 1e-6 of their extent; then
         nothing has been written
 */
-template <class OffsetCurveRange>
-bool write_offset_SVG(std::ostream& os, const OffsetCurveRange& curves, Length_unit unit = Length_unit::NONE)
+template <class OffsetCurveRange, class NamedParameters = parameters::Default_named_parameters>
+bool write_offset_SVG(std::ostream& os, const OffsetCurveRange& curves,
+                      const NamedParameters& np = parameters::default_values())
 {
   namespace internal = Surface_mesh_geodesic_offset_internal;
+  const Length_unit unit = internal::length_unit_of(np);
   const internal::Plane_of_curves<OffsetCurveRange> plane(curves);
   std::map<double, std::vector<internal::Svg_path>> groups; // by distance
   internal::Plane_box box;

@@ -7,6 +7,7 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/IO/internal/Curve_line.h>
+#include <CGAL/Surface_mesh_geodesic_offset/IO/internal/writing_parameters.h>
 
 #include <cstddef>
 #include <ostream>
@@ -32,15 +33,26 @@ to colour the curves.
 \tparam OffsetCurveRange a model of `ConstRange` with `Surface_mesh_geodesic_offset::Offset_curve` as value type
 \param os the stream
 \param curves the curves
-\param chord_tolerance the largest distance of a line from its curve; positive
+\param np an optional named parameter
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{chord_tolerance}
+    \cgalParamDescription{the largest distance of a line from its curve, in the units of the mesh's points}
+    \cgalParamType{a number type, convertible to `double`; positive}
+    \cgalParamDefault{that of `write_offset_curves()`}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
 \return whether the stream is still good.
 \throws std::invalid_argument unless `chord_tolerance > 0`; then nothing has been written
 \throws std::length_error as `Geodesic_offset_curve::points()`; then nothing has been written
 */
-template <class OffsetCurveRange, class FT>
-bool write_offset_VTK(std::ostream& os, const OffsetCurveRange& curves, const FT& chord_tolerance)
+template <class OffsetCurveRange, class NamedParameters = parameters::Default_named_parameters>
+bool write_offset_VTK(std::ostream& os, const OffsetCurveRange& curves,
+                      const NamedParameters& np = parameters::default_values())
 {
   namespace internal = Surface_mesh_geodesic_offset_internal;
+  const double chord_tolerance = internal::chord_tolerance_of(curves, np);
   Geodesic_offset::internal::check_all_numbers_of_chords(curves, chord_tolerance); // before any output
   const internal::Full_precision precision(os);
 

@@ -47,7 +47,7 @@ public:
   One_call(const TriangleMesh& tm, const Sources& sources, const NamedParameters& np)
     : m_mesh(Mesh_access::make<Mesh>(tm, np)), m_np(np)
   {
-    Source_argument<Mesh>(m_mesh, m_sources).add(sources);
+    Source_argument<Mesh>(m_mesh, m_sources).read(sources);
   }
 
   const Mesh& mesh() const { return m_mesh; }

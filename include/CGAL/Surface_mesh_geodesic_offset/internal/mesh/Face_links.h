@@ -62,6 +62,8 @@ All_face_links face_links(const TriangleMesh& tm, const Faces& faces, const Vert
       const auto h0 = halfedge(faces[k], tm), h1 = next(h0, tm), h2 = next(h1, tm);
       if (h1 == h0 || next(h2, tm) != h0)
         throw std::invalid_argument("Surface_mesh_geodesic_offset: face " + std::to_string(i) + " is not a triangle");
+      if (target(h0, tm) == target(h1, tm) || target(h1, tm) == target(h2, tm) || target(h2, tm) == target(h0, tm))
+        throw std::invalid_argument("Surface_mesh_geodesic_offset: face " + std::to_string(i) + " has a vertex twice");
       const auto end_of = [&](const auto& h) { return Index(get(vim, target(h, tm))); };
       const auto beyond = [&](const auto& h) {
         const auto o = opposite(h, tm);

@@ -9,11 +9,10 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Geodesic_surface.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/point_conversion.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Surface_locator.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/workers/Concurrency.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/parameters/named_parameters.h>
-
-#include <CGAL/NT_converter.h>
 
 #include <array>
 #include <memory>
@@ -25,18 +24,6 @@
 namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
-
-// The location with coordinates of type FT; the given object if it has these already.
-template <class FT, class Face, class Coordinate>
-decltype(auto) converted_location(const std::pair<Face, std::array<Coordinate, 3>>& l)
-{
-  if constexpr (std::is_same<FT, Coordinate>::value) return (l);
-  else
-  {
-    const CGAL::NT_converter<Coordinate, FT> convert{};
-    return std::pair<Face, std::array<FT, 3>>(l.first, {convert(l.second[0]), convert(l.second[1]), convert(l.second[2])});
-  }
-}
 
 // The map as the type that the class has for it.
 template <class Map, class Given>
@@ -89,14 +76,8 @@ struct Geodesic_mesh_data
 
   const Unfolded_mesh<Number>& unfolded() const { return surface().unfolded; }
 
-  Located_point classified(vertex_descriptor v) const
-  {
-    const bool is_null = v == Graph_traits::null_vertex();
-    const Index i = is_null ? no_index : surface().index_of(v);
-    if (!(i < unfolded().number_of_vertices()))
-      throw std::invalid_argument("Surface_mesh_geodesic_offset: a vertex that is not of this mesh");
-    return Surface_point::at_vertex(i);
-  }
+  // \throws std::invalid_argument if the vertex is null, removed or of another mesh
+  Located_point classified(vertex_descriptor v) const { return Surface_point::at_vertex(surface().checked_index_of(v)); }
 
   // Coordinates of another number type are converted.
   template <class Coordinate>

@@ -96,34 +96,48 @@ struct Geodesic_surface
   Index index_of(face_descriptor f) const { return numbers.of(f); }
   Index index_of_halfedge(halfedge_descriptor h) const { return numbers.of_halfedge(h); } // not of a border halfedge
 
-  // \throws std::invalid_argument if the face is null or of another mesh
-  void check_face(face_descriptor f) const
+  // Checked indices: the arrays of descriptors have those of the mesh, so removed elements, and elements of other meshes, differ.
+  // \throws std::invalid_argument if the vertex is null, removed or of another mesh
+  Index checked_index_of(vertex_descriptor v) const
   {
-    const Index i = f == Graph_traits::null_face() ? no_index : index_of(f);
+    if (v == Graph_traits::null_vertex()) throw std::invalid_argument("Surface_mesh_geodesic_offset: the null vertex");
+    const Index i = index_of(v);
+    if (!(i < vertex_of.size()) || vertex_of[i] != v)
+      throw std::invalid_argument("Surface_mesh_geodesic_offset: vertex " + std::to_string(numbers.index_in_mesh(v)) +
+                                  " is not of this mesh, or is removed");
+    return i;
+  }
+
+  // \throws std::invalid_argument if the face is null, removed or of another mesh
+  Index checked_index_of(face_descriptor f) const
+  {
+    if (f == Graph_traits::null_face()) throw std::invalid_argument("Surface_mesh_geodesic_offset: the null face");
+    const Index i = index_of(f);
     if (!(i < face_of.size()) || face_of[i] != f)
-      throw std::invalid_argument("Surface_mesh_geodesic_offset: a face that is not of this mesh");
+      throw std::invalid_argument("Surface_mesh_geodesic_offset: face " + std::to_string(numbers.index_in_mesh(f)) +
+                                  " is not of this mesh, or is removed");
+    return i;
   }
 
   // \throws std::invalid_argument if the location is not valid
   Located_point<Number> classified(const Face_location& l) const
   {
-    if (l.first == Graph_traits::null_face())
-      throw std::invalid_argument("Surface_mesh_geodesic_offset: a location in the null face");
     return classify<Number>(
-      unfolded, index_of(l.first), [&] { return numbers.index_in_mesh(l.first); }, imported(l.second));
+      unfolded, checked_index_of(l.first), [&] { return numbers.index_in_mesh(l.first); }, imported(l.second));
   }
 
   // Index of the halfedge, or of its opposite if it is a border halfedge.
-  // \throws std::invalid_argument if the halfedge is null or of another mesh, or if the edge has no face
+  // \throws std::invalid_argument if the halfedge is null, removed or of another mesh, or if the edge has no face
   Index index_beside_edge(halfedge_descriptor h) const
   {
     check_halfedge(h);
     if (is_border(h, tm)) h = opposite(h, tm);
     if (is_border(h, tm)) throw std::invalid_argument("Surface_mesh_geodesic_offset: an edge without a face");
-    const face_descriptor f = face(h, tm);
-    const Index i = index_of(f);
-    if (!(i < face_of.size()) || face_of[i] != f) throw_foreign_edge();
-    return index_of_halfedge(h);
+    const Index f = index_of(face(h, tm));
+    if (!(f < face_of.size()) || face_of[f] != face(h, tm)) throw_foreign_edge();
+    const Index i = index_of_halfedge(h);
+    if (halfedge_of(i) != h) throw_foreign_edge(); // a removed halfedge may still have its face
+    return i;
   }
 
   // \throws std::invalid_argument if the halfedge is null or its index is unused. Pointers as descriptors are recognized by
@@ -277,7 +291,7 @@ private:
     // coordinates of other than built-in types may share memory, so one thread reads them
     auto&& readers_of_points = team_or_alone(team);
     if (has_points) numbers.renumber_if_scattered(links, all_vertices, vpm, readers_of_points);
-    face_of.resize(numbers.faces_end());
+    face_of.assign(numbers.faces_end(), Graph_traits::null_face()); // unused indices keep the null descriptor
     std::vector<Index> face_at(numbers.faces_end(), no_index);
     Blocks(all_faces.size(), team.size()).for_each(team, [&](Index, std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k)
@@ -287,7 +301,7 @@ private:
         face_at[i] = Index(numbers.index_in_mesh(all_faces[k]));
       }
     });
-    vertex_of.resize(numbers.vertices_end());
+    vertex_of.assign(numbers.vertices_end(), Graph_traits::null_vertex());
     if constexpr (std::is_same<LengthMap, No_lengths>::value)
     {
       std::vector<typename Computing_traits::Point_3> points(numbers.vertices_end());
@@ -337,7 +351,7 @@ private:
 
   [[noreturn]] static void throw_foreign_edge()
   {
-    throw std::invalid_argument("Surface_mesh_geodesic_offset: an edge of another mesh");
+    throw std::invalid_argument("Surface_mesh_geodesic_offset: an edge that is null, removed or of another mesh");
   }
 
   // Throws for the first face that has no layout.

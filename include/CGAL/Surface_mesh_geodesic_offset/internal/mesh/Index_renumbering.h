@@ -83,7 +83,8 @@ public:
   Index of_vertex(Index index) const { return m_vertex.empty() ? index : m_vertex[index]; }
   Index of_face(Index index) const { return m_face.empty() ? index : m_face[index]; }
 
-  // Index of the face in the user's mesh.
+  // Index in the user's mesh.
+  std::size_t index_in_mesh(vertex_descriptor v) const { return std::size_t(get(m_vim, v)); }
   std::size_t index_in_mesh(face_descriptor f) const { return std::size_t(get(m_fim, f)); }
 
 private:

@@ -110,7 +110,7 @@ Located_point<FT> classify_on_boundary(const Unfolded_mesh<FT>& mesh, Index face
   }
   if (!valid)
     throw std::invalid_argument("Surface_mesh_geodesic_offset: a location in face " + std::to_string(name()) +
-                                " does not lie in the face, or the face is not of this mesh");
+                                " does not lie in the face");
   if (zeros == 2) return Surface_point<FT>::at_vertex(mesh.source(3 * face + Index(other)));
   // Halfedge k is opposite to corner `zero`. The point must be projected: on a needle, a coordinate of the order of
   // rounding corresponds to a long distance along the halfedge.
@@ -122,7 +122,7 @@ Located_point<FT> classify_on_boundary(const Unfolded_mesh<FT>& mesh, Index face
   return Surface_point<FT>::on_edge(h, t);
 }
 
-// name(): the index of the face for messages, also if it is of another mesh.
+// name(): the index of the face for messages.
 template <class FT, class Name>
 BOOST_FORCEINLINE Located_point<FT> classify(const Unfolded_mesh<FT>& mesh, Index face, const Name& name, std::array<FT, 3> w)
 {

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Conversion of mesh points to the kernel of the traits.
+// Conversion of points in space and of locations to the kernel of the traits.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_MESH_POINT_CONVERSION_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_MESH_POINT_CONVERSION_H
@@ -10,7 +10,9 @@
 
 #include <CGAL/NT_converter.h>
 
+#include <array>
 #include <type_traits>
+#include <utility>
 
 namespace CGAL {
 namespace Geodesic_offset {
@@ -28,6 +30,24 @@ decltype(auto) converted_point(const P& p)
     return Point_3(convert(p.x()), convert(p.y()), convert(p.z()));
   }
 }
+
+// The location with coordinates of type FT; the given object if it has these already.
+template <class FT, class Face, class Coordinate>
+decltype(auto) converted_location(const std::pair<Face, std::array<Coordinate, 3>>& l)
+{
+  if constexpr (std::is_same<FT, Coordinate>::value) return (l);
+  else
+  {
+    const CGAL::NT_converter<Coordinate, FT> convert{};
+    return std::pair<Face, std::array<FT, 3>>(l.first, {convert(l.second[0]), convert(l.second[1]), convert(l.second[2])});
+  }
+}
+
+// True for points of any kernel: types with x() and z().
+template <class T, class = void>
+constexpr bool is_point_in_space = false;
+template <class T>
+constexpr bool is_point_in_space<T, std::void_t<decltype(std::declval<const T&>().x(), std::declval<const T&>().z())>> = true;
 
 } // namespace internal
 } // namespace Geodesic_offset

@@ -33,10 +33,14 @@ struct Parameter_tags
 template <class First, class Second>
 using Joined_tags = decltype(First::joined_with(Second()));
 
-typedef Parameter_tags<internal_np::vertex_point_t, internal_np::geodesic_edge_length_map_t, internal_np::geom_traits_t,
-                       internal_np::vertex_index_t, internal_np::face_index_t, internal_np::concurrency_tag_t>
-  Mesh_parameters;
+typedef Parameter_tags<internal_np::vertex_point_t, internal_np::geom_traits_t, internal_np::vertex_index_t,
+                       internal_np::face_index_t, internal_np::concurrency_tag_t>
+  Mesh_with_points_parameters;
+typedef Joined_tags<Mesh_with_points_parameters, Parameter_tags<internal_np::geodesic_edge_length_map_t>> Mesh_parameters;
+typedef Parameter_tags<internal_np::snapping_tolerance_t> Location_parameters;
+typedef Parameter_tags<internal_np::geodesic_is_closed_t> Joining_parameters;
 typedef Parameter_tags<internal_np::geodesic_start_value_t> Source_parameters;
+typedef Joined_tags<Source_parameters, Joining_parameters> Polyline_source_parameters;
 typedef Parameter_tags<internal_np::visitor_t, internal_np::verbose_t, internal_np::concurrency_tag_t> Update_parameters;
 typedef Joined_tags<Update_parameters,
                     Parameter_tags<internal_np::geodesic_distance_limit_t, internal_np::geodesic_keep_windows_t,
@@ -54,7 +58,9 @@ typedef Joined_tags<Path_call_parameters,
   Approximate_call_parameters;
 typedef Joined_tags<Selection_parameters, Approximate_call_parameters> Offset_call_parameters;
 typedef Joined_tags<Approximate_call_parameters, Parameter_tags<internal_np::geodesic_targets_t>> Distance_call_parameters;
-typedef Parameter_tags<internal_np::geodesic_chord_tolerance_t, internal_np::geodesic_length_unit_t> Writing_parameters;
+typedef Parameter_tags<internal_np::geodesic_chord_tolerance_t> Chord_parameters;
+typedef Parameter_tags<internal_np::geodesic_length_unit_t> Unit_parameters;
+typedef Joined_tags<Chord_parameters, Unit_parameters> Writing_parameters;
 typedef Parameter_tags<internal_np::geodesic_chord_tolerance_t, internal_np::edge_is_constrained_t, internal_np::vertex_point_t,
                        internal_np::visitor_t, internal_np::geodesic_face_band_t, internal_np::geodesic_face_source_t,
                        internal_np::geodesic_distance_field_t, internal_np::geodesic_vertex_distance_t>
@@ -96,12 +102,19 @@ using Parameter_type = typename internal_np::Lookup_named_param_def<Tag, NamedPa
 template <class Tag, class NamedParameters>
 constexpr bool has_parameter = !parameters::is_default_parameter<NamedParameters, Tag>::value;
 
-// The start value of a source.
-template <class FT, class NamedParameters>
+// The start value of a source. Tags: the parameters that the caller reads.
+template <class FT, class Tags = Source_parameters, class NamedParameters>
 FT start_value_of(const NamedParameters& np)
 {
-  check_named_parameters<Source_parameters, NamedParameters>();
+  check_named_parameters<Tags, NamedParameters>();
   return FT(parameters::choose_parameter(parameters::get_parameter(np, internal_np::geodesic_start_value), FT(0)));
+}
+
+// True if the last point of a polyline is joined to the first one.
+template <class NamedParameters>
+bool is_closed_of(const NamedParameters& np)
+{
+  return parameters::choose_parameter(parameters::get_parameter(np, internal_np::geodesic_is_closed), false);
 }
 
 // The concurrency tag of a sequence of parameters.

@@ -14,7 +14,8 @@
 CGAL_add_named_parameter(geodesic_edge_length_map_t, geodesic_edge_length_map, edge_length_map)
 
   CGAL_add_named_parameter(geodesic_start_value_t, geodesic_start_value, start_value) CGAL_add_named_parameter(
-    geodesic_distance_limit_t, geodesic_distance_limit, distance_limit)
+    geodesic_is_closed_t, geodesic_is_closed,
+    is_closed) CGAL_add_named_parameter(geodesic_distance_limit_t, geodesic_distance_limit, distance_limit)
     CGAL_add_named_parameter(geodesic_keep_windows_t, geodesic_keep_windows, keep_windows)
       CGAL_add_named_parameter(geodesic_compute_largest_distance_t, geodesic_compute_largest_distance, compute_largest_distance)
         CGAL_add_named_parameter(geodesic_targets_t, geodesic_targets, targets)
@@ -25,7 +26,7 @@ CGAL_add_named_parameter(geodesic_edge_length_map_t, geodesic_edge_length_map, e
                 CGAL_add_named_parameter(geodesic_end_style_t, geodesic_end_style, end_style)
 
                   CGAL_add_named_parameter(geodesic_chord_tolerance_t, geodesic_chord_tolerance, chord_tolerance)
-                    CGAL_add_named_parameter(geodesic_length_unit_t, geodesic_length_unit, unit)
+                    CGAL_add_named_parameter(geodesic_length_unit_t, geodesic_length_unit, length_unit)
 
                       CGAL_add_named_parameter(geodesic_face_band_t, geodesic_face_band, face_band_map)
                         CGAL_add_named_parameter(geodesic_face_source_t, geodesic_face_source, face_source_map)

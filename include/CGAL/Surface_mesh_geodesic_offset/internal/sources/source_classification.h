@@ -68,12 +68,12 @@ void check_source(const Geodesic_mesh_data<Surface>& mesh, const Source& source)
   Source_set<typename Surface::Number>::check(mesh.unfolded(), classified_source(mesh, source));
 }
 
-// Adds a vertex or a location to a set of sources. Coordinates of another number type are converted.
-template <class FT, class User_set, class Point, class NamedParameters>
+// Adds a vertex or a location to a set of sources.
+template <class User_set, class Point, class NamedParameters>
 void add_point(User_set& set, const Point& point, const NamedParameters& np)
 {
   if constexpr (std::is_convertible<const Point&, typename User_set::vertex_descriptor>::value) set.add_vertex(point, np);
-  else set.add_location(converted_location<FT>(point), np);
+  else set.add_location(point, np);
 }
 
 // Adds the sources of `added` to a set, in the order of their ids; none if check_source() throws, or without memory. Returns the
