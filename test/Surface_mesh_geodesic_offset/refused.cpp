@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Code that must not compile: certified bounds with flags that change the arithmetic, user traits with numbers of CORE, and
-// named parameters that a function does not read. ctest checks the messages.
+// Code that must not compile: certified bounds with flags that change the arithmetic, user traits with numbers of CORE,
+// functors with the tag of operators that they lack, and named parameters that a function does not read. ctest checks the messages.
 
 #ifdef REFUSED_TRAITS
 
@@ -35,6 +35,36 @@ using Computing_traits_of = typename CGAL::Geodesic_offset::internal::Computatio
 
 typedef Computing_traits_of<Derived_traits> Computing_traits_1;
 typedef Computing_traits_of<Own_traits> Computing_traits_2;
+
+#elif defined REFUSED_PAIRS
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/Surface_mesh_geodesic_offset/Surface_mesh_geodesic_offset_traits.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Has_pairs.h>
+
+typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
+typedef CGAL::Surface_mesh_geodesic_offset_traits<Kernel, CGAL::Surface_mesh<Kernel::Point_3>> Package_traits;
+
+// Functors with the tag of the base, but without its operators for pairs, which theirs hide.
+struct Traits : Package_traits
+{
+  struct Change_frame_2 : Package_traits::Change_frame_2
+  {
+    Image_2 operator()(double x, double y, double sigma, bool, double, double, double, double) const { return {x, y, sigma}; }
+  };
+  struct Construct_exit_2 : Package_traits::Construct_exit_2
+  {
+    std::optional<Exit_2> operator()(double, double, double, bool, double, double, double, double, double) const { return {}; }
+  };
+  struct Compute_distance_2 : Package_traits::Compute_distance_2
+  {
+    double operator()(double, double, double, bool, double, double) const { return 0; }
+  };
+};
+
+static_assert(CGAL::Geodesic_offset::internal::Has_pair_children<Traits>::value, "");
+static_assert(CGAL::Geodesic_offset::internal::Has_pair_distances<Traits>::value, "");
 
 #elif defined REFUSED_PARAMETERS
 

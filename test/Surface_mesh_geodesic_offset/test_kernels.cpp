@@ -16,15 +16,17 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/boost/graph/helpers.h>
+#include <CGAL/tags.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/IO/write_offset_curves.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Simd_edge_exit.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window_bisector.h>
 
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <map>
-#include <iterator>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -236,12 +238,13 @@ void side_tests_of_floats()
   CHECK_DETAIL(zeros > 10, std::to_string(zeros));
 }
 
-// All operations compile with the concept's archetype, which is not default constructible and whose functors have a state;
-// they are called, and the results are those of the default model.
+// All operations compile with the concept's archetype, which is not default constructible, whose functors have a state, and whose
+// numbers have no conversions. The functors are called, and the results are those of the default model.
 void concept_archetype()
 {
   typedef Traits_archetype<test::Surface_mesh> Archetype;
   typedef CGAL::Surface_mesh_geodesic_offset<Archetype> Geodesic_here;
+  typedef typename Archetype::FT FT;
   const Data data(rotated(random_rectangle(2, 1, 30, 5, 4), 4));
   typename Archetype::Calls calls;
   const Archetype traits(calls);
@@ -256,31 +259,37 @@ void concept_archetype()
   add_sources(geodesic);
   add_sources(expected);
   Worst_error worst(1e-12, 1);
-  for (auto v : data.vertices) CHECK_CLOSE(worst, geodesic.distance_to_sources(v), expected.distance_to_sources(v));
+  for (auto v : data.vertices)
+    CHECK_CLOSE(worst, CGAL::to_double(geodesic.distance_to_sources(v)), expected.distance_to_sources(v));
   const Point_3& p = data.mesh.point(data.vertices[9]);
-  const Geodesic::Face_location location = geodesic.locate(Archetype::Point_3(p.x(), p.y(), p.z()));
-  CHECK_CLOSE(worst, geodesic.distance_to_sources(location), expected.distance_to_sources(location));
+  const typename Archetype::Point_3 q(FT(p.x()), FT(p.y()), FT(p.z()));
+  const typename Geodesic_here::Face_location location_here = geodesic.locate(q);
+  const auto& weights = location_here.second;
+  const Geodesic::Face_location location(
+    location_here.first, {{CGAL::to_double(weights[0]), CGAL::to_double(weights[1]), CGAL::to_double(weights[2])}});
+  CHECK_CLOSE(worst, CGAL::to_double(geodesic.distance_to_sources(location)), expected.distance_to_sources(location));
   const auto nearest = geodesic.nearest_source(location);
   CHECK(nearest && nearest->source == expected.nearest_source(location)->source);
-  std::vector<Archetype::Point_3> path;
+  std::vector<typename Archetype::Point_3> path;
   geodesic.shortest_path_points_to_sources(location, std::back_inserter(path));
   CHECK(path.size() >= 2);
-  CHECK(std::abs(geodesic.gradient(location).value_or(CGAL::NULL_VECTOR).squared_length() - 1) < 1e-12);
+  CHECK(std::abs(CGAL::to_double(geodesic.gradient(location).value_or(CGAL::NULL_VECTOR).squared_length()) - 1) < 1e-12);
   const auto farthest = geodesic.farthest_point().value();
-  CHECK_CLOSE(worst, farthest.second, expected.farthest_point()->second);
+  CHECK_CLOSE(worst, CGAL::to_double(farthest.second), expected.farthest_point()->second);
   std::vector<Geodesic_here::Offset_curve> curves;
-  geodesic.offset_curves(std::vector<double>{0.3 * farthest.second}, std::back_inserter(curves));
+  geodesic.offset_curves(std::vector<FT>{FT(0.3) * farthest.second}, std::back_inserter(curves));
   CHECK(!curves.empty());
   std::ostringstream file;
   CHECK(CGAL::IO::write_offset_curves(file, CGAL::IO::Offset_file_format::SVG, curves) &&
         CGAL::IO::write_offset_curves(file, CGAL::IO::Offset_file_format::DXF, curves));
   geodesic.build(CGAL::parameters::compute_largest_distance(true));
-  CHECK_CLOSE(worst, geodesic.largest_distance().value(), farthest.second);
-  CHECK_CLOSE(worst, geodesic.largest_vertex_distance().value(), expected.largest_vertex_distance().value());
-  const auto located = geodesic.locate_with_distance(Archetype::Point_3(p.x(), p.y(), p.z()));
-  CHECK(located.first == location && located.second < 1e-15);
-  const typename Geodesic_here::Ray_3 ray(Archetype::Point_3(0, 0, 9), Archetype::Point_3(p.x(), p.y(), p.z()));
-  CHECK_CLOSE(worst, geodesic.distance_to_sources(geodesic.locate(ray).value()), geodesic.distance_to_sources(location));
+  CHECK(geodesic.largest_distance().value() == farthest.second);
+  CHECK_CLOSE(worst, CGAL::to_double(geodesic.largest_vertex_distance().value()), expected.largest_vertex_distance().value());
+  const auto located = geodesic.locate_with_distance(q);
+  CHECK(located.first == location_here && located.second < FT(1e-15));
+  const typename Geodesic_here::Ray_3 ray(typename Archetype::Point_3(0, 0, 9), q);
+  CHECK_CLOSE(worst, CGAL::to_double(geodesic.distance_to_sources(geodesic.locate(ray).value())),
+              expected.distance_to_sources(location));
   typename Archetype::Calls other_calls;
   Geodesic_here borders(data.mesh, CGAL::parameters::geom_traits(Archetype(other_calls)));
   CHECK(borders.add_source_boundary().size() == 1 && !borders.add_source_sharp_edges(1));
@@ -291,6 +300,18 @@ void concept_archetype()
   CHECK(geodesic.distance_to_sources(data.vertices[7]) == 0);
   CHECK(calls.apices == data.faces.size());
   CHECK(calls.frames > 0 && calls.entries > 0 && calls.exits > 0 && calls.distances > 0 && calls.comparisons > 0);
+}
+
+// Only for the compiler: the archetype with numbers that count as exact.
+[[maybe_unused]] void exact_concept_archetype(const test::Surface_mesh& mesh)
+{
+  typedef Traits_archetype<test::Surface_mesh, true> Archetype;
+  typename Archetype::Calls calls;
+  CGAL::Surface_mesh_geodesic_offset<Archetype> geodesic(mesh, CGAL::parameters::geom_traits(Archetype(calls)));
+  geodesic.add_source_boundary();
+  geodesic.build();
+  std::vector<CGAL::Surface_mesh_geodesic_offset<Archetype>::Offset_curve> curves;
+  geodesic.offset_curves(std::vector<int>{1}, std::back_inserter(curves));
 }
 
 // With 200 bits, results agree with double to rounding, and the straight line is correct to 55 digits.
@@ -361,8 +382,8 @@ void long_numbers()
 template <class FT>
 void pairs_are_two_numbers()
 {
-  using CGAL::Geodesic_offset::internal::Number_pair;
-  typedef Number_pair<FT> Pair;
+  using CGAL::Geodesic_number_pair;
+  typedef Geodesic_number_pair<FT> Pair;
   const FT nan = std::numeric_limits<FT>::quiet_NaN(), infinity = std::numeric_limits<FT>::infinity();
   const std::vector<FT> numbers{FT(0), FT(-0.), FT(1) / 3, FT(-7) / 11, FT(1e10) / 7, FT(-3e-20) / 7, infinity, -infinity, nan};
   const auto same = [](FT a, FT b) { return a != a ? b != b : a == b && std::signbit(a) == std::signbit(b); };
@@ -395,8 +416,35 @@ void pairs_are_two_numbers()
   CHECK(CGAL::Geodesic_offset::internal::square_root<FT>(FT(-1)) == 0);
 }
 
-// Our traits accept pairs of floating point numbers, which the concept does not require. With pairs that are not in one
-// register, such as those of long double, the distances are the same.
+typedef CGAL::Surface_mesh_geodesic_offset_traits<Kernel, test::Surface_mesh> Package_traits;
+
+// Derived traits whose exits have no tag.
+struct Without_pair_exits : Package_traits
+{
+  struct Construct_exit_2
+  {
+    std::optional<Exit_2> operator()(double x, double y, double sigma, bool is_parallel, double b, double d, double c, double s,
+                                     double length) const
+    {
+      return Package_traits().construct_exit_2_object()(x, y, sigma, is_parallel, b, d, c, s, length);
+    }
+  };
+  Construct_exit_2 construct_exit_2_object() const { return Construct_exit_2(); }
+};
+
+// Derived traits whose distances have the tag Tag_false.
+struct Without_pair_distances : Package_traits
+{
+  struct Compute_distance_2 : Package_traits::Compute_distance_2
+  {
+    typedef CGAL::Tag_false Has_pairs;
+  };
+  Compute_distance_2 compute_distance_2_object() const { return Compute_distance_2(); }
+};
+
+// Our traits have operators for pairs of floating point numbers, as in SurfaceMeshGeodesicOffsetTraitsWithPairs. Each functor of
+// derived traits has its own tag. With pairs that are not in one register, such as those of long double, and without pairs,
+// the distances are the same.
 void pairs()
 {
   using namespace CGAL::Geodesic_offset::internal;
@@ -405,10 +453,14 @@ void pairs()
   typedef CGAL::Surface_mesh_geodesic_offset_traits<Longer_kernel, test::Surface_mesh> Longer_traits;
   typedef CGAL::Surface_mesh_geodesic_offset_traits<Long_kernel, test::Surface_mesh> Long_traits;
   typedef Traits_archetype<test::Surface_mesh> Archetype;
-  static_assert(Pairs_ends<Traits>::value && Pairs_distances<Traits>::value, "of double");
-  static_assert(Pairs_ends<Longer_traits>::value && Pairs_distances<Longer_traits>::value, "of long double");
-  static_assert(!Pairs_ends<Long_traits>::value && !Pairs_distances<Long_traits>::value, "not of CGAL::Gmpfr");
-  static_assert(!Pairs_ends<Archetype>::value && !Pairs_distances<Archetype>::value, "beyond the concept");
+  static_assert(Has_pair_children<Traits>::value && Has_pair_distances<Traits>::value, "of double");
+  static_assert(Has_pair_children<Longer_traits>::value && Has_pair_distances<Longer_traits>::value, "of long double");
+  static_assert(!Has_pair_children<Long_traits>::value && !Has_pair_distances<Long_traits>::value, "not of CGAL::Gmpfr");
+  static_assert(!Has_pair_children<Archetype>::value && !Has_pair_distances<Archetype>::value, "no tag");
+  static_assert(!Has_pair_children<Without_pair_exits>::value && Has_pair_distances<Without_pair_exits>::value,
+                "no tag of exits");
+  static_assert(Has_pair_children<Without_pair_distances>::value && !Has_pair_distances<Without_pair_distances>::value,
+                "Tag_false");
   pairs_are_two_numbers<double>();
   pairs_are_two_numbers<float>();
   pairs_are_two_numbers<long double>();
@@ -419,6 +471,15 @@ void pairs()
     const std::vector<long double> distances = distances_from<Longer_kernel>(data.mesh, data.vertices[0]);
     Worst_error worst(1e-13, bounding_box_diagonal(data.mesh));
     for (std::size_t i = 0; i < expected.size(); ++i) CHECK_CLOSE(worst, static_cast<double>(distances[i]), expected[i]);
+    const auto check_equal = [&](auto traits) {
+      CGAL::Surface_mesh_geodesic_offset<decltype(traits)> geodesic(data.mesh);
+      geodesic.add_source_point(data.vertices[0]);
+      geodesic.build();
+      for (std::size_t i = 0; i < expected.size(); ++i)
+        CHECK_CLOSE(worst, geodesic.distance_to_sources(data.vertices[i]), expected[i]);
+    };
+    check_equal(Without_pair_exits());
+    check_equal(Without_pair_distances());
   }
 }
 

@@ -299,7 +299,7 @@ struct Counting_traits : CGAL::Surface_mesh_geodesic_offset_traits<Kernel, test:
   struct Construct_exit_2 : Base::Construct_exit_2
   {
     template <class... Arguments>
-    bool operator()(Arguments&&... arguments) const
+    auto operator()(Arguments&&... arguments) const
     {
       ++count();
       return Base::Construct_exit_2::operator()(std::forward<Arguments>(arguments)...);

@@ -13,7 +13,11 @@ its target, and the face, with its apex \f$(a_x, a_y)\f$, is above the axis. The
 \f$(X, Y)\f$ if \f$W = 0\f$, for a parallel-source window, whose distance at \f$p\f$ is \f$\sigma - (X, Y) \cdot p\f$. An argument
 `is_parallel` says that \f$W = 0\f$.
 
-Objects of a model are copied; if the model is default constructible, the argument `traits` is optional. With
+A model may be derived from `CGAL::Surface_mesh_geodesic_offset_traits` and replace functors: it then declares the type of the
+functor and the function that returns it. The concept `SurfaceMeshGeodesicOffsetTraitsWithPairs` has optional operators that make
+the propagation faster.
+
+Objects of a model and of its functors are copied; if the model is default constructible, the argument `traits` is optional. With
 `CGAL::Parallel_tag` several threads call the functors concurrently.
 
 \cgalConcept
@@ -21,6 +25,8 @@ Objects of a model are copied; if the model is default constructible, the argume
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Surface_mesh_geodesic_offset_traits}
 \cgalHasModelsEnd
+
+\sa `SurfaceMeshGeodesicOffsetTraitsWithPairs`
 */
 class SurfaceMeshGeodesicOffsetTraits
 {
@@ -28,40 +34,64 @@ public:
   /// \name Types
   /// @{
 
-  /// A \cgal kernel, with the types `FT`, `Point_3` and `Vector_3`.
+  /// A \cgal kernel.
   typedef unspecified_type Kernel;
 
   /// The mesh: a model of `FaceListGraph`. Its points may be of another kernel: their coordinates are converted by
   /// `CGAL::NT_converter`.
   typedef unspecified_type Triangle_mesh;
 
-  /// The number type of distances and of coordinates in the unfolded faces: a model of `FieldWithSqrt` and `RealEmbeddable`.
-  /// If it is not exact (`CGAL::Algebraic_structure_traits<FT>::Is_exact` is `CGAL::Tag_false`), the algorithm allows for
-  /// rounding in comparisons; otherwise comparisons are exact.
+  /*!
+  The number type of distances and of coordinates in the unfolded faces, the same as `Kernel::FT`: a model of `FieldWithSqrt`
+  and `RealEmbeddable`, and of `ImplicitInteroperable` with `int` and `ExplicitInteroperable` with `double`. In addition:
+  - `FT` is constructible from `double`, without rounding if it is exact, and can be compared with `double` by `<`, `>`, `<=` and
+    `>=`.
+  - If `FT` is not exact (`CGAL::Algebraic_structure_traits<FT>::Is_exact` is `CGAL::Tag_false`), the algorithm allows for
+    rounding in comparisons. The rounding unit is `std::numeric_limits<FT>::%epsilon()`. If `std::numeric_limits<FT>` is not
+    specialized, `FT` must have the static function `get_default_precision()`, which returns the number of bits, as
+    `CGAL::Gmpfr` does. Comparisons of exact numbers are exact.
+  - If `std::numeric_limits<FT>::%has_infinity` is `true`, operations and comparisons with infinity are those of IEEE 754. In
+    particular, `<`, `<=`, `>` and `>=` are `false` for the result of \f$\infty - \infty\f$. Otherwise \f$10^{300}\f$ stands for
+    infinity, and must be in the range of `FT`.
+  - Offset curves need numbers with the precision of `double`, at least.
+  - With `CGAL::Parallel_tag` several threads operate concurrently on different numbers that are copies of each other.
+  */
   typedef unspecified_type FT;
 
-  /// The point type.
+  /// The point type, `Kernel::Point_3`.
   typedef unspecified_type Point_3;
 
-  /// The vector type that belongs to `Point_3`.
+  /// The vector type, `Kernel::Vector_3`.
   typedef unspecified_type Vector_3;
+
+  /// A halfedge and the apex of its face, in the frame of the halfedge: a class with the public data members `length`, `x` and
+  /// `y` of type `FT`.
+  typedef unspecified_type Apex_2;
+
+  /// The image of a window's source: a class with the public data members `x`, `y` and `sigma` of type `FT`, the numbers
+  /// \f$X\f$, \f$Y\f$ and \f$\sigma\f$ above.
+  typedef unspecified_type Image_2;
+
+  /// The exit of a ray from a face: a class with the public data members `t` of type `FT` and `distance` of type
+  /// `std::optional<FT>`.
+  typedef unspecified_type Exit_2;
 
   /*!
   Lays a face out in the plane, in the frames of its three halfedges. An object of this type must provide the operator
-  `void operator()(Point_3 p, Point_3 q, Point_3 r, FT (&length)[3], FT (&x)[3], FT (&y)[3]) const`
-  for the face with the halfedges from `p` to `q`, from `q` to `r` and from `r` to `p`. For each of them, with the vectors
-  \f$u\f$ along it and \f$v\f$ from its source to the third vertex, it computes the length \f$|u|\f$ and the apex
-  \f$(u \cdot v,\ |u \times v|) / |u|\f$ in its frame. A length or a `y` that is not positive means that the face is
-  degenerate; then the remaining numbers, which are initially 0, need not be set.
+  `std::array<Apex_2, 3> operator()(Point_3 p, Point_3 q, Point_3 r) const`
+  for the face with the halfedges from `p` to `q`, from `q` to `r` and from `r` to `p`, in this order. For each of them, with
+  the vectors \f$u\f$ along it and \f$v\f$ from its source to the third vertex, the result has the `length` \f$|u|\f$ and the
+  apex (`x`, `y`) \f$= (u \cdot v,\ |u \times v|) / |u|\f$ in its frame. A `length` or a `y` that is not positive means that the
+  face is degenerate; then the other members may have any value.
   */
   typedef unspecified_type Construct_apices_2;
 
   /*!
   Changes the frame of an image. An object of this type must provide the operator
-  `void operator()(FT& x, FT& y, FT& sigma, bool is_parallel, FT ox, FT oy, FT c, FT s) const`
-  which brings the image to the frame with origin \f$o\f$ and \f$x\f$ axis in the unit direction \f$(c, s)\f$:
-  with \f$(X', Y') = (X, Y) - W o\f$ it becomes \f$(c X' + s Y',\ c Y' - s X')\f$, and, if \f$W = 0\f$, \f$\sigma\f$ becomes
-  \f$\sigma - (X, Y) \cdot o\f$.
+  `Image_2 operator()(FT x, FT y, FT sigma, bool is_parallel, FT ox, FT oy, FT c, FT s) const`
+  which returns the image in the frame with origin \f$o\f$ and \f$x\f$ axis in the unit direction \f$(c, s)\f$:
+  with \f$(X', Y') = (X, Y) - W o\f$ the result is \f$(c X' + s Y',\ c Y' - s X')\f$, and its `sigma` is
+  \f$\sigma\f$ if \f$W = 1\f$, and \f$\sigma - (X, Y) \cdot o\f$ if \f$W = 0\f$.
   */
   typedef unspecified_type Change_frame_2;
 
@@ -93,13 +123,16 @@ public:
 
   /*!
   Computes an end of a child's interval. An object of this type must provide the operator
-  `bool operator()(FT x, FT y, FT sigma, bool is_parallel, FT b, FT d, FT c, FT s, FT length, FT& t, FT& distance, bool& is_rough) const`
+  `std::optional<Exit_2> operator()(FT x, FT y, FT sigma, bool is_parallel, FT b, FT d, FT c, FT s, FT length) const`
   for the ray through \f$(b, 0)\f$, where the distance is `d`, and the edge of the given length from the origin in the unit
-  direction \f$(c, s)\f$. With \f$D = s (X - bW) - c Y\f$ it returns whether \f$D > 0\f$, that is, whether the ray meets the line of
-  the edge; if so, it sets `t` to the smaller of the length and \f$-bY / D\f$, `distance` to the distance there, which is
-  \f$d + (d - \sigma) s b / D\f$ if \f$W = 1\f$ and \f$d + s b / D\f$ otherwise, and `is_rough` to whether the caller should
-  compute the distance anew by `Compute_distance_2`, because of rounding. If so, `distance` need not be set. With exact numbers
-  `t` need not be limited to the length: the functor is called only for rays that meet the edge itself.
+  direction \f$(c, s)\f$. The ray meets the line of the edge if \f$D = s (X - bW) - c Y > 0\f$; otherwise the operator returns
+  `std::nullopt`. The members of the result are:
+  - `t`, the smaller of the length and \f$-bY / D\f$: the distance of the exit from the origin. With exact numbers `t` need not
+    be limited to the length: the functor is called only for rays that meet the edge itself.
+  - `distance`, the distance of the window at the exit, \f$d + (d - \sigma) s b / D\f$ if \f$W = 1\f$ and \f$d + s b / D\f$
+    otherwise. If `distance` is `std::nullopt`, the algorithm computes the distance by `Compute_distance_2`, from the image. A
+    model leaves `distance` out where the distance from the image is more accurate, or, for exact numbers, is simpler. It may
+    always do so.
   */
   typedef unspecified_type Construct_exit_2;
 

@@ -350,10 +350,9 @@ void Mesh_input::require_area_in_doubles(const std::string& path) const
   for(Face f : m_mesh.faces())
   {
     const Halfedge h = m_mesh.halfedge(f);
-    double lengths[3], x[3], heights[3] = {0, 0, 0};
-    construct_apices(m_mesh.point(m_mesh.source(h)), m_mesh.point(m_mesh.target(h)),
-                     m_mesh.point(m_mesh.target(m_mesh.next(h))), lengths, x, heights);
-    if(!(heights[0] > 0 && heights[1] > 0 && heights[2] > 0))
+    const auto apices = construct_apices(m_mesh.point(m_mesh.source(h)), m_mesh.point(m_mesh.target(h)),
+                                         m_mesh.point(m_mesh.target(m_mesh.next(h))));
+    if(!(apices[0].y > 0 && apices[1].y > 0 && apices[2].y > 0))
       throw Input_error(quoted(path) + ": the area of " + name_of(f) + " is zero in double precision");
   }
 }

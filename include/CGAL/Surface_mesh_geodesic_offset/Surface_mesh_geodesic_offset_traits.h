@@ -6,17 +6,20 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Number_pair.h>
+#include <CGAL/Surface_mesh_geodesic_offset/Geodesic_number_pair.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Number_policy.h>
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Profile_counter.h>
 #include <CGAL/enum.h>
 #include <CGAL/number_utils.h>
+#include <CGAL/tags.h>
 
 #include <boost/config.hpp>
 
+#include <array>
 #include <cmath>
+#include <optional>
 #include <type_traits>
 
 namespace CGAL {
@@ -44,12 +47,11 @@ program ends. Rays that pass the apex of a face at a distance beyond all roundin
 \tparam TriangleMesh a model of `FaceListGraph`
 
 \cgalModels{SurfaceMeshGeodesicOffsetTraits}
+\cgalModels{SurfaceMeshGeodesicOffsetTraitsWithPairs}, if `K::FT` is a floating point type
 */
 template <class K, class TriangleMesh>
 class Surface_mesh_geodesic_offset_traits
 {
-  typedef Geodesic_offset::internal::Number_pair<typename K::FT> Pair;
-
   static_assert(Geodesic_offset::internal::has_square_roots<typename K::FT>(),
                 "Surface_mesh_geodesic_offset: distances need square roots. The FT of this kernel has none. Take a kernel "
                 "with a floating point type, as Exact_predicates_inexact_constructions_kernel, or one with exact square "
@@ -69,6 +71,45 @@ public:
   typedef typename K::Point_3 Point_3;
   /// a vector in space
   typedef typename K::Vector_3 Vector_3;
+  /// two numbers
+  typedef Geodesic_number_pair<FT> FT_pair;
+
+  /// a halfedge and the apex of its face, in the frame of the halfedge
+  struct Apex_2
+  {
+    FT length; ///< length of the halfedge
+    FT x;      ///< abscissa of the apex
+    FT y;      ///< ordinate of the apex
+  };
+
+  /// the image of a source
+  struct Image_2
+  {
+    FT x;     ///< abscissa of the point, or of the direction
+    FT y;     ///< ordinate of the point, or of the direction
+    FT sigma; ///< distance at the point, or, for parallel rays, at the origin
+  };
+
+  /// the image of a source, with both coordinates in a pair
+  struct Image_pair_2
+  {
+    FT_pair image; ///< abscissa and ordinate
+    FT sigma;      ///< as in `Image_2`
+  };
+
+  /// the exit of a ray from a face
+  struct Exit_2
+  {
+    FT t;                       ///< distance of the exit from the start of the edge
+    std::optional<FT> distance; ///< distance from the sources, if it is accurate
+  };
+
+  /// the exits of two rays from a face
+  struct Exit_pair_2
+  {
+    FT_pair t;        ///< distances of the exits from the start of the edge
+    FT_pair distance; ///< distances from the sources
+  };
 
   /*!
   Lays a face out in the plane, once for each of its halfedges.
@@ -81,8 +122,9 @@ public:
   class Construct_apices_2
   {
   public:
-    /// computes the lengths and apices of the face with the vertices `p`, `q`, `r`.
-    void operator()(const Point_3& p, const Point_3& q, const Point_3& r, FT (&length)[3], FT (&x)[3], FT (&y)[3]) const
+    /// returns the lengths and apices of the face with the vertices `p`, `q`, `r`, in the order of the halfedges from `p`, `q`
+    /// and `r`. If a length is zero, the members that depend on it are zero.
+    std::array<Apex_2, 3> operator()(const Point_3& p, const Point_3& q, const Point_3& r) const
     {
       const FT u[3][3] = {{q.x() - p.x(), q.y() - p.y(), q.z() - p.z()},
                           {r.x() - q.x(), r.y() - q.y(), r.z() - q.z()},
@@ -91,17 +133,20 @@ public:
       const FT(&a)[3] = u[after_longest(square)], (&b)[3] = u[(after_longest(square) + 1) % 3];
       const FT n[3] = {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
       const FT area = root(dot(n, n));
-      for (int k = 0; k < 3; ++k)
-      {
-        length[k] = root(square[k]);
-        if (!CGAL::is_positive(length[k])) return;
-        x[k] = -dot(u[k], u[(k + 2) % 3]) / length[k];
-        y[k] = area / length[k];
-      }
+      return {{apex(square[0], dot(u[0], u[2]), area), apex(square[1], dot(u[1], u[0]), area),
+               apex(square[2], dot(u[2], u[1]), area)}};
     }
 
   private:
     static FT dot(const FT (&u)[3], const FT (&v)[3]) { return u[0] * v[0] + u[1] * v[1] + u[2] * v[2]; }
+
+    // Of a halfedge u with the squared length `square`, and the previous halfedge v with the product `product`.
+    static Apex_2 apex(const FT& square, const FT& product, const FT& area)
+    {
+      const FT length = root(square);
+      if (!CGAL::is_positive(length)) return {FT(0), FT(0), FT(0)};
+      return {length, FT(-product / length), FT(area / length)};
+    }
 
     // From long edges that differ little the area would lose digits.
     static int after_longest(const FT (&square)[3])
@@ -121,41 +166,37 @@ public:
   class Change_frame_2
   {
   public:
-    /// changes the image `(x, y)` and `sigma` to those in the new frame.
-    BOOST_FORCEINLINE void operator()(FT& x, FT& y, FT& sigma, bool is_parallel, const FT& ox, const FT& oy, const FT& c,
-                                      const FT& s) const
+    /// `Tag_true` if `FT` is a floating point type: then there are operators for pairs
+    typedef Boolean_tag<std::is_floating_point<FT>::value> Has_pairs;
+
+    /// returns the image `(x, y)` and `sigma` in the new frame.
+    BOOST_FORCEINLINE Image_2 operator()(const FT& x, const FT& y, const FT& sigma, bool is_parallel, const FT& ox,
+                                         const FT& oy, const FT& c, const FT& s) const
     {
-      if (is_parallel) sigma = sigma - (x * ox + y * oy);
-      else
-      {
-        x -= ox;
-        y -= oy;
-      }
-      const FT t = c * x + s * y;
-      y = c * y - s * x;
-      x = t;
+      if (is_parallel) return rotated(x, y, FT(sigma - (x * ox + y * oy)), c, s);
+      return rotated(FT(x - ox), FT(y - oy), sigma, c, s);
     }
 
-#ifndef DOXYGEN_RUNNING
-    // Overload for an image in a pair; c holds the cosine twice, s the sine and its negative.
-    BOOST_FORCEINLINE void operator()(Pair& image, FT& sigma, bool is_parallel, const Pair& o, const Pair& c,
-                                      const Pair& s) const
+    /// returns the image and `sigma` in the new frame. `c` holds the cosine twice, `s` the sine and its negative.
+    BOOST_FORCEINLINE Image_pair_2 operator()(const FT_pair& image, const FT& sigma, bool is_parallel, const FT_pair& o,
+                                              const FT_pair& c, const FT_pair& s) const
     {
-      if (is_parallel)
-      {
-        const Pair shift = image * o;
-        sigma = sigma - (shift.first() + shift.second());
-      }
-      else image = image - o;
-      (*this)(image, c, s);
+      if (!is_parallel) return {(*this)(image - o, c, s), sigma};
+      const FT_pair shift = image * o;
+      return {(*this)(image, c, s), FT(sigma - (shift.first() + shift.second()))};
     }
 
-    // Overload for frames with a common origin.
-    BOOST_FORCEINLINE void operator()(Pair& image, const Pair& c, const Pair& s) const
+    /// returns the image in a new frame with the same origin.
+    BOOST_FORCEINLINE FT_pair operator()(const FT_pair& image, const FT_pair& c, const FT_pair& s) const
     {
-      image = c * image + s * image.swapped();
+      return c * image + s * image.swapped();
     }
-#endif
+
+  private:
+    BOOST_FORCEINLINE static Image_2 rotated(const FT& x, const FT& y, const FT& sigma, const FT& c, const FT& s)
+    {
+      return {FT(c * x + s * y), FT(c * y - s * x), sigma};
+    }
   };
 
   /*!
@@ -229,50 +270,47 @@ public:
 
   Let \f$D = s (X - bW) - c Y\f$. The ray meets the edge if \f$D > 0\f$, at the distance \f$-bY / D\f$ from the origin. Its
   length grows by the fraction \f$sb / D\f$ (of its length up to \f$(b, 0)\f$ if \f$W = 1\f$, of the unit if \f$W = 0\f$).
-  Exact if `FT` is. Otherwise the caller computes the distance anew, from the image, if rounding has moved the exit beyond the
-  end of the edge; for \f$W = 1\f$ if the length has more than trebled, since growth preserves the relative error of a point very
-  near to the source; for \f$W = 0\f$ if the ray meets the edge at a grazing angle, \f$16 D < s\f$. In all other cases, the
-  product with the growth keeps the relative accuracy of a short path, and is more accurate than a distance computed from a far image.
+  Exact if `FT` is. Otherwise the exit has no distance, such that the distance comes from the image, if rounding has moved the exit
+  beyond the end of the edge; for \f$W = 1\f$ if the length has more than trebled, since growth preserves the relative error of a
+  point very near to the source; for \f$W = 0\f$ if the ray meets the edge at a grazing angle, \f$16 D < s\f$. In all other cases,
+  the product with the growth keeps the relative accuracy of a short path, and is more accurate than a distance computed from a far
+  image.
   */
   class Construct_exit_2
   {
   public:
-    /// returns whether the ray meets the edge and, if so, sets the exit: `t` is at most `length`, and `distance` is the distance
-    /// at `t` unless `is_rough`. `d` is the distance at `(b, 0)`.
-    BOOST_FORCEINLINE bool operator()(const FT& x, const FT& y, const FT& sigma, bool is_parallel, const FT& b, const FT& d,
-                                      const FT& c, const FT& s, const FT& length, FT& t, FT& distance, bool& is_rough) const
+    /// `Tag_true` if `FT` is a floating point type: then there are operators for pairs
+    typedef Boolean_tag<std::is_floating_point<FT>::value> Has_pairs;
+
+    /// returns the exit if the ray meets the edge. `d` is the distance at `(b, 0)`.
+    BOOST_FORCEINLINE std::optional<Exit_2> operator()(const FT& x, const FT& y, const FT& sigma, bool is_parallel, const FT& b,
+                                                       const FT& d, const FT& c, const FT& s, const FT& length) const
     {
       const FT den = is_parallel ? FT(s * x - c * y) : FT(s * (x - b) - c * y);
-      if (!CGAL::is_positive(den)) return false;
+      if (!CGAL::is_positive(den)) return std::nullopt;
       const FT inverse = FT(1) / den;
-      t = -(b * y) * inverse;
-      if constexpr (!Geodesic_offset::internal::Number_policy<FT>::is_inexact)
-      {
-        is_rough = true; // one square root of coordinates costs less than nested roots, which grow with each face
-        return true;
-      }
+      const FT t = -(b * y) * inverse;
+      // one square root of coordinates costs less than nested roots, which grow with each face
+      if constexpr (!Geodesic_offset::internal::Number_policy<FT>::is_inexact) return Exit_2{t, std::nullopt};
       const FT growth = s * b * inverse;
-      distance = is_parallel ? FT(d + growth) : FT(d + (d - sigma) * growth);
-      is_rough = (is_parallel ? s * inverse > FT(16) : growth > FT(2)) || t > length;
-      if (t > length) t = length;
-      return true;
+      if (t > length) return Exit_2{length, std::nullopt};
+      if (is_parallel ? s * inverse > FT(16) : growth > FT(2)) return Exit_2{t, std::nullopt};
+      return Exit_2{t, is_parallel ? FT(d + growth) : FT(d + (d - sigma) * growth)};
     }
 
-#ifndef DOXYGEN_RUNNING
-    // Overload for two rays, with floating point numbers and b not negative. False if one of them does not meet the
-    // edge, if its length is more than doubled, or if it meets the edge at a grazing angle: t and distance are meaningless then.
-    BOOST_FORCEINLINE bool operator()(const Pair& x, const Pair& y, const Pair& sigma, bool is_parallel, const Pair& b,
-                                      const Pair& d, const Pair& c, const Pair& s, const Pair& length, Pair& t,
-                                      Pair& distance) const
+    /// returns the exits of two rays, with `b` not negative, or nothing if one of them does not meet the edge, if its length is
+    /// more than doubled, or if it meets the edge at a grazing angle.
+    BOOST_FORCEINLINE std::optional<Exit_pair_2> operator()(const FT_pair& x, const FT_pair& y, const FT_pair& sigma,
+                                                            bool is_parallel, const FT_pair& b, const FT_pair& d,
+                                                            const FT_pair& c, const FT_pair& s, const FT_pair& length) const
     {
-      const Pair den = s * (is_parallel ? x : x - b) - c * y, sb = s * b;
-      const Pair inverse = Pair(FT(-1)) / den; // negative, and so are y and the growth
-      const Pair growth = sb * inverse;
-      t = b * y * inverse;
-      distance = is_parallel ? d - growth : d + (sigma - d) * growth;
-      return ((is_parallel ? s < Pair(FT(16)) * den : sb < den) & (t <= length)).bits() == 3;
+      const FT_pair den = s * (is_parallel ? x : x - b) - c * y, sb = s * b;
+      const FT_pair inverse = FT_pair(FT(-1)) / den; // negative, and so are y and the growth
+      const FT_pair growth = sb * inverse, t = b * y * inverse;
+      const FT_pair distance = is_parallel ? d - growth : d + (sigma - d) * growth;
+      if (((is_parallel ? s < FT_pair(FT(16)) * den : sb < den) & (t <= length)).bits() != 3) return std::nullopt;
+      return Exit_pair_2{t, distance};
     }
-#endif
   };
 
   /*!
@@ -282,6 +320,9 @@ public:
   class Compute_distance_2
   {
   public:
+    /// `Tag_true` if `FT` is a floating point type: then there are operators for pairs
+    typedef Boolean_tag<std::is_floating_point<FT>::value> Has_pairs;
+
     /// returns the distance at the point `(px, py)`.
     BOOST_FORCEINLINE FT operator()(const FT& x, const FT& y, const FT& sigma, bool is_parallel, const FT& px,
                                     const FT& py) const
@@ -291,14 +332,13 @@ public:
       return sigma + root(u * u + v * v);
     }
 
-#ifndef DOXYGEN_RUNNING
-    // Overload for two interval windows.
-    BOOST_FORCEINLINE Pair operator()(const Pair& x, const Pair& y, const Pair& sigma, const Pair& px, const Pair& py) const
+    /// returns the distances of two interval windows at two points.
+    BOOST_FORCEINLINE FT_pair operator()(const FT_pair& x, const FT_pair& y, const FT_pair& sigma, const FT_pair& px,
+                                         const FT_pair& py) const
     {
-      const Pair u = px - x, v = py - y;
+      const FT_pair u = px - x, v = py - y;
       return sigma + square_root(u * u + v * v);
     }
-#endif
   };
 
   /*!

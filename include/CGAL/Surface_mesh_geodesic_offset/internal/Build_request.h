@@ -46,7 +46,7 @@ struct Build_request
     using parameters::choose_parameter;
     using parameters::get_parameter;
     Build_request r;
-    r.maximum = choose_parameter(get_parameter(np, internal_np::geodesic_distance_limit), Number_policy<FT>::infinity());
+    r.maximum = FT(choose_parameter(get_parameter(np, internal_np::geodesic_distance_limit), Number_policy<FT>::infinity()));
     require(r.maximum >= FT(0), "the distance limit is negative or not a number");
     r.keeps_windows = choose_parameter(get_parameter(np, internal_np::geodesic_keep_windows), false);
     r.finds_farthest = choose_parameter(get_parameter(np, internal_np::geodesic_compute_largest_distance), false);
@@ -60,8 +60,8 @@ struct Build_request
       const auto targets = get_parameter(np, internal_np::geodesic_targets); // maybe a reference wrapper
       for (const auto& t : internal_np::get_reference(targets)) r.targets.push_back(locate(t));
     }
-    r.tolerance.relative = choose_parameter(get_parameter(np, internal_np::geodesic_relative_tolerance), FT(0));
-    r.tolerance.absolute = choose_parameter(get_parameter(np, internal_np::geodesic_merging_tolerance), FT(0));
+    r.tolerance.relative = FT(choose_parameter(get_parameter(np, internal_np::geodesic_relative_tolerance), FT(0)));
+    r.tolerance.absolute = FT(choose_parameter(get_parameter(np, internal_np::geodesic_merging_tolerance), FT(0)));
     require(r.tolerance.relative >= FT(0) && r.tolerance.relative <= FT(0.5),
             "the relative tolerance is not a number from 0 to 0.5");
     require(r.tolerance.absolute >= FT(0) && Number_policy<FT>::is_finite(r.tolerance.absolute),

@@ -8,8 +8,8 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
+#include <CGAL/Surface_mesh_geodesic_offset/Geodesic_number_pair.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_window.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Number_pair.h>
 
 #include <boost/config.hpp>
 
@@ -79,7 +79,7 @@ public:
     double t;
     if (m_a.is_parallel() || m_b.is_parallel() || !closed_form(u, v, t)) return false;
     // one step of Newton's iteration, then a displacement that makes the sign certain
-    typedef Number_pair<double> Pair;
+    typedef Geodesic_number_pair<double> Pair;
     const Pair x = (Pair(t) - Pair(m_a.x, m_b.x)) - Pair(m_a.x_low, m_b.x_low), y(m_a.y, m_b.y);
     const Pair r = square_root(x * x + y * y);
     const double xa = x.first(), xb = x.second(), ra = r.first(), rb = r.second();

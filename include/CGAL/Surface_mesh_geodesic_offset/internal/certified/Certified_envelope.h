@@ -8,10 +8,10 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
+#include <CGAL/Surface_mesh_geodesic_offset/Geodesic_number_pair.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/certificate_checks.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_bisector.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_overlap_split.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Number_pair.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window_order.h>
 
 #include <CGAL/assertions.h>
@@ -85,7 +85,7 @@ private:
       return true;
     }
     const double high = a_ends_first ? a.b1 : w.b1;
-    const Number_pair<double> d = a_ends_first ? Window::distances_at(a, w.b0, w, high) : a.distances_at({w.b0, high});
+    const Geodesic_number_pair<double> d = a_ends_first ? Window::distances_at(a, w.b0, w, high) : a.distances_at({w.b0, high});
     const double a_low = d.first(), a_high = a_ends_first ? a.d1 : d.second(), w_high = a_ends_first ? d.second() : w.d1;
     const Certified_bisector bisector(a, w, m_length);
     const double at_low = a_low - w.d0, at_high = a_high - w_high;

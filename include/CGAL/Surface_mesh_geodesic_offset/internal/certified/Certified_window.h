@@ -8,9 +8,9 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Double_double.h>
+#include <CGAL/Surface_mesh_geodesic_offset/Geodesic_number_pair.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Precise_mesh.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Number_pair.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Double_double.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window.h>
 
 #include <CGAL/assertions.h>
@@ -96,14 +96,14 @@ struct Certified_window
   }
 
   // Distances at two points of the halfedge.
-  Number_pair<double> distances_at(const Number_pair<double>& t) const
+  Geodesic_number_pair<double> distances_at(const Geodesic_number_pair<double>& t) const
   {
     if (is_parallel()) return Pair(sigma) - Pair(x) * t;
     return Pair(sigma) + radii(t, Pair(x), Pair(x_low), Pair(y + y_low));
   }
 
   // Distance of a at u, and of b at v.
-  static Number_pair<double> distances_at(const Certified_window& a, double u, const Certified_window& b, double v)
+  static Geodesic_number_pair<double> distances_at(const Certified_window& a, double u, const Certified_window& b, double v)
   {
     if ((a.bits | b.bits) & 1u) return Pair(a.distance_at(u), b.distance_at(v));
     return Pair(a.sigma, b.sigma) +
@@ -113,7 +113,7 @@ struct Certified_window
   void set_interval(double from, double to)
   {
     CGAL_precondition(from <= to);
-    const Number_pair<double> t(from, to);
+    const Geodesic_number_pair<double> t(from, to);
     t.put(b0, b1);
     distances_at(t).put(d0, d1);
   }
@@ -174,7 +174,7 @@ struct Certified_window
   }
 
 private:
-  typedef Number_pair<double> Pair;
+  typedef Geodesic_number_pair<double> Pair;
 
   // Distances from points of the halfedge to images.
   static Pair radii(const Pair& t, const Pair& x, const Pair& x_low, const Pair& y)

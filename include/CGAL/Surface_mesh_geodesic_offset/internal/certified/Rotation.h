@@ -8,8 +8,8 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
+#include <CGAL/Surface_mesh_geodesic_offset/Geodesic_number_pair.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Double_double.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Number_pair.h>
 
 namespace CGAL {
 namespace Geodesic_offset {
@@ -37,7 +37,7 @@ public:
   }
 
 private:
-  typedef Number_pair<double> Pair;
+  typedef Geodesic_number_pair<double> Pair;
   typedef Double_length<Pair> Sum;
 
   Split<Pair> m_x, m_y;

@@ -51,7 +51,7 @@ struct Child_window_writer
   BOOST_FORCEINLINE void take_whole(const Window_propagation<Traits>& face, const Simd_edge_exit<Traits, is_left>& edge,
                                     const Window& w)
   {
-    if constexpr (Pairs_ends<Traits>::value)
+    if constexpr (Has_pair_children<Traits>::value)
     {
       Window_pairs<FT> p(w);
       if (BOOST_LIKELY(edge.template child<is_parallel>(p))) take_child<is_parallel>(w, p);

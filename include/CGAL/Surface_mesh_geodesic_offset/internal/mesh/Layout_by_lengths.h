@@ -13,6 +13,7 @@
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -33,27 +34,33 @@ public:
 
   auto functor() const
   {
-    return [&lengths = m_lengths](Index f, const Index(&)[3], FT(&length)[3], FT(&x)[3], FT(&y)[3]) {
+    return [&lengths = m_lengths](Index f, const Index(&)[3]) {
+      std::array<Apex, 3> result;
       for (std::size_t k = 0; k < 3; ++k)
       {
-        length[k] = lengths[3 * f + k];
-        if (!CGAL::is_positive(length[k])) return;
+        result[k].length = lengths[3 * f + k];
+        if (!CGAL::is_positive(result[k].length)) return result;
       }
-      const FT area = twice_the_area(length);
-      for (int k = 0; k < 3; ++k)
+      const FT area = twice_the_area(result[0].length, result[1].length, result[2].length);
+      for (std::size_t k = 0; k < 3; ++k)
       {
-        const FT &a = length[k], &b = length[(k + 1) % 3], &c = length[(k + 2) % 3];
-        x[k] = FT(FT(FT(c - b) * FT(c + b)) / a + a) / FT(2);
-        y[k] = area / a;
+        const FT &a = result[k].length, &b = result[(k + 1) % 3].length, &c = result[(k + 2) % 3].length;
+        result[k].x = FT(FT(FT(c - b) * FT(c + b)) / a + a) / FT(2);
+        result[k].y = area / a;
       }
+      return result;
     };
   }
 
 private:
-  // Heron's formula in the form of Kahan, whose differences are exact or harmless. 0 if the strict triangle inequality fails.
-  static FT twice_the_area(const FT (&length)[3])
+  struct Apex
   {
-    FT a = length[0], b = length[1], c = length[2];
+    FT length = FT(0), x = FT(0), y = FT(0);
+  };
+
+  // Heron's formula in the form of Kahan, whose differences are exact or harmless. 0 if the strict triangle inequality fails.
+  static FT twice_the_area(FT a, FT b, FT c)
+  {
     if (a < b) std::swap(a, b);
     if (b < c) std::swap(b, c);
     if (a < b) std::swap(a, b);

@@ -16,8 +16,8 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// A layout has a function functor(), whose result is called with a face, its vertices, and the lengths and apices to be set; see
-// SurfaceMeshGeodesicOffsetTraits::Construct_apices_2. Lengths and apices are 0 before.
+// A layout has a function functor(), whose result is called with a face and its vertices, and returns an array of lengths and
+// apices; see SurfaceMeshGeodesicOffsetTraits::Construct_apices_2.
 template <class Traits>
 class Layout_by_points
 {
@@ -32,10 +32,8 @@ public:
 
   auto functor() const
   {
-    return [&points = m_points,
-            construct_apices =
-              m_traits.construct_apices_2_object()](Index, const Index(&v)[3], FT(&length)[3], FT(&x)[3], FT(&y)[3]) {
-      construct_apices(points[v[0]], points[v[1]], points[v[2]], length, x, y);
+    return [&points = m_points, construct_apices = m_traits.construct_apices_2_object()](Index, const Index(&v)[3]) {
+      return construct_apices(points[v[0]], points[v[1]], points[v[2]]);
     };
   }
 

@@ -273,25 +273,26 @@ private:
       }
       const Face_links& l = links[f];
       const Index v[3] = {numbers.of_vertex(l.source[0]), numbers.of_vertex(l.source[1]), numbers.of_vertex(l.source[2])};
-      FT length[3] = {FT(0), FT(0), FT(0)}, x[3] = {FT(0), FT(0), FT(0)}, y[3] = {FT(0), FT(0), FT(0)};
-      lay_out(Index(i), v, length, x, y);
-      for (int k = 0; k < 3; ++k)
+      auto apices = lay_out(Index(i), v);
+      for (std::size_t k = 0; k < 3; ++k)
       {
-        result.have_area &= has_area(length[k], y[k]);
-        result.longest_edge = (std::max)(result.longest_edge, length[k]);
+        auto& apex = apices[k];
+        result.have_area &= has_area(apex.length, apex.y);
+        result.longest_edge = (std::max)(result.longest_edge, apex.length);
         lower(first_corners[v[k]], h + Index(k));
-        const Index b = l.beyond[std::size_t(k)];
+        const Index b = l.beyond[k];
         Index twin = no_index;
         if (b != no_index)
         {
-          twin = 3 * numbers.of_face(b) + links[b].halfedge_from(l.source[std::size_t(k + 1) % 3]);
+          twin = 3 * numbers.of_face(b) + links[b].halfedge_from(l.source[(k + 1) % 3]);
           // share one number between both sides of an edge: exact comparison of an expression with itself is immediate
           if constexpr (!Number_policy<FT>::is_inexact)
-            if (twin < h) length[k] = m_halfedges[twin].length;
+            if (twin < h) apex.length = m_halfedges[twin].length;
         }
-        m_halfedges[h + Index(k)] = {length[k], x[k], y[k], twin, v[k]};
+        m_halfedges[h + Index(k)] = {apex.length, apex.x, apex.y, twin, v[k]};
       }
-      lengths[i / Blocks::step] += CGAL::to_double(length[0]) + CGAL::to_double(length[1]) + CGAL::to_double(length[2]);
+      lengths[i / Blocks::step] +=
+        CGAL::to_double(apices[0].length) + CGAL::to_double(apices[1].length) + CGAL::to_double(apices[2].length);
       ++result.number;
     }
     return result;

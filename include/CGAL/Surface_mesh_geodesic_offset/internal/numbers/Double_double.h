@@ -8,7 +8,7 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Number_pair.h>
+#include <CGAL/Surface_mesh_geodesic_offset/Geodesic_number_pair.h>
 
 #include <cmath>
 
@@ -19,7 +19,7 @@ namespace internal {
 // With rounding to nearest and u = 2^-53, products, quotients and roots have relative errors of at most 8 u^2, sums 8 u^2
 // relative to the larger operand (Dekker 1971; Joldes, Muller and Popescu 2017). |low| <= u |high|.
 //
-// `Number`: double, or a Number_pair<double>.
+// `Number`: double, or a Geodesic_number_pair<double>.
 template <class Number>
 struct Double_length
 {
@@ -68,9 +68,10 @@ struct Split
 #ifdef FP_FAST_FMA
 // a b - c with a single rounding.
 inline double fused(double a, double b, double c) { return std::fma(a, b, -c); }
-inline Number_pair<double> fused(const Number_pair<double>& a, const Number_pair<double>& b, const Number_pair<double>& c)
+inline Geodesic_number_pair<double> fused(const Geodesic_number_pair<double>& a, const Geodesic_number_pair<double>& b,
+                                          const Geodesic_number_pair<double>& c)
 {
-  return Number_pair<double>(fused(a.first(), b.first(), c.first()), fused(a.second(), b.second(), c.second()));
+  return Geodesic_number_pair<double>(fused(a.first(), b.first(), c.first()), fused(a.second(), b.second(), c.second()));
 }
 #endif
 

@@ -8,41 +8,22 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Has_pairs.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window_pairs.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window_propagation.h>
 
 #include <boost/config.hpp>
 
-#include <type_traits>
-
 namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// True if the functors of the traits accept pairs, an extension of the concept, of floating-point numbers, which are cheap to
-// copy.
-template <class Traits>
-struct Pairs_ends
-{
-  typedef typename Traits::FT FT;
-  typedef Number_pair<FT> Pair;
-  typedef const typename Traits::Change_frame_2& Change_frame;
-  typedef const typename Traits::Construct_exit_2& Exit;
-
-  static constexpr bool value =
-    std::is_floating_point<FT>::value &&
-    std::is_invocable<Change_frame, Pair&, FT&, bool, const Pair&, const Pair&, const Pair&>::value &&
-    std::is_invocable<Change_frame, Pair&, const Pair&, const Pair&>::value &&
-    std::is_invocable_r<bool, Exit, const Pair&, const Pair&, const Pair&, bool, const Pair&, const Pair&, const Pair&,
-                        const Pair&, const Pair&, Pair&, Pair&>::value;
-};
-
 // One of the two other edges of a face, for windows whose rays all leave through it.
-template <class Traits, bool is_left, bool pairs_ends = Pairs_ends<Traits>::value>
+template <class Traits, bool is_left, bool has_pairs = Has_pair_children<Traits>::value>
 class Simd_edge_exit
 {
   typedef typename Traits::FT FT;
-  typedef Number_pair<FT> Pair;
+  typedef Geodesic_number_pair<FT> Pair;
 
 public:
   Simd_edge_exit(const Window_propagation<Traits>& face, const Traits& traits)
@@ -58,21 +39,26 @@ public:
   BOOST_FORCEINLINE bool child(Window_pairs<FT>& w) const
   {
     const Pair x = w.image.both_first(), y = w.image.both_second(), sigma(w.sigma), b = w.b, d = w.d;
-    bool leaves;
     if constexpr (is_left)
     {
-      m_change_frame(w.image, m_c, m_turn);
-      leaves = m_exit(x, y, sigma, is_parallel, b, d, m_c, m_s, m_length, w.b, w.d);
+      const auto exits = m_exit(x, y, sigma, is_parallel, b, d, m_c, m_s, m_length);
+      if (BOOST_UNLIKELY(!exits)) return false;
+      w.image = m_change_frame(w.image, m_c, m_turn);
+      w.b = exits->t;
+      w.d = exits->distance;
     }
     else
     { // mirrored
-      m_change_frame(w.image, w.sigma, is_parallel, m_apex, m_c, m_turn);
-      Pair t;
-      leaves = m_exit(is_parallel ? Pair(FT(0)) - x : m_entry_length - x, y, sigma, is_parallel, m_entry_length - b, d, m_c,
-                      m_s, m_length, t, w.d);
-      w.b = m_length - t;
+      const auto exits = m_exit(is_parallel ? Pair(FT(0)) - x : m_entry_length - x, y, sigma, is_parallel, m_entry_length - b,
+                                d, m_c, m_s, m_length);
+      if (BOOST_UNLIKELY(!exits)) return false;
+      const auto changed = m_change_frame(w.image, w.sigma, is_parallel, m_apex, m_c, m_turn);
+      w.image = changed.image;
+      w.sigma = changed.sigma;
+      w.b = m_length - exits->t;
+      w.d = exits->distance;
     }
-    return leaves && w.image.second() < FT(0);
+    return w.image.second() < FT(0);
   }
 
 private:

@@ -14,6 +14,8 @@
 
 #include <CGAL/assertions.h>
 
+#include <boost/config.hpp>
+
 #include <utility>
 
 namespace CGAL {
@@ -103,11 +105,20 @@ struct alignas(sizeof(FT) == 8 ? 64 : alignof(FT)) Window
   }
 };
 
+// Sets the image of a window to the result of SurfaceMeshGeodesicOffsetTraits::Change_frame_2.
+template <class FT, class Image>
+BOOST_FORCEINLINE void set_image(Window<FT>& w, Image&& image)
+{
+  w.x = std::forward<Image>(image).x;
+  w.y = std::forward<Image>(image).y;
+  w.sigma = std::forward<Image>(image).sigma;
+}
+
 // Transforms the image of a window to another frame with the origin (ox, oy) and the x axis (c, s) in the present one.
 template <class Traits, class FT>
 inline void change_frame(const Traits& traits, Window<FT>& w, const FT& ox, const FT& oy, const FT& c, const FT& s)
 {
-  traits.change_frame_2_object()(w.x, w.y, w.sigma, w.is_parallel(), ox, oy, c, s);
+  set_image(w, traits.change_frame_2_object()(w.x, w.y, w.sigma, w.is_parallel(), ox, oy, c, s));
 }
 
 } // namespace internal

@@ -9,30 +9,17 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Number_pair.h>
+#include <CGAL/Surface_mesh_geodesic_offset/Geodesic_number_pair.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Has_pairs.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window.h>
 
 #include <CGAL/assertions.h>
 
 #include <boost/config.hpp>
 
-#include <type_traits>
-
 namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
-
-// True if the distance functor accepts pairs of floating-point numbers, an extension of the concept.
-template <class Traits>
-struct Pairs_distances
-{
-  typedef typename Traits::FT FT;
-  typedef const Number_pair<FT>& Pair;
-
-  static constexpr bool value =
-    std::is_floating_point<FT>::value &&
-    std::is_invocable_r<Number_pair<FT>, const typename Traits::Compute_distance_2&, Pair, Pair, Pair, Pair, Pair>::value;
-};
 
 // One point of equal distance of two windows a and b.
 template <class Traits>
@@ -53,11 +40,11 @@ public:
   // Distances of a at ta and of b at tb.
   BOOST_FORCEINLINE void at(const FT& ta, const FT& tb, FT& da, FT& db) const
   {
-    if constexpr (Pairs_distances<Traits>::value)
+    if constexpr (Has_pair_distances<Traits>::value)
     {
       if (BOOST_LIKELY(!((m_a.bits | m_b.bits) & 1u)))
       {
-        typedef Number_pair<FT> Pair;
+        typedef Geodesic_number_pair<FT> Pair;
         const Pair d =
           m_distance(Pair(m_a.x, m_b.x), Pair(m_a.y, m_b.y), Pair(m_a.sigma, m_b.sigma), Pair(ta, tb), Pair(FT(0)));
         da = d.first();

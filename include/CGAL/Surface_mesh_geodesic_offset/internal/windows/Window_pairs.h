@@ -8,7 +8,7 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Number_pair.h>
+#include <CGAL/Surface_mesh_geodesic_offset/Geodesic_number_pair.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window.h>
 
 namespace CGAL {
@@ -18,7 +18,7 @@ namespace internal {
 template <class FT>
 struct Window_pairs
 {
-  typedef Number_pair<FT> Pair;
+  typedef Geodesic_number_pair<FT> Pair;
 
   explicit Window_pairs(const Window<FT>& w)
     : image(Pair::of(w.x, w.y)), b(Pair::of(w.b0, w.b1)), d(Pair::of(w.d0, w.d1)), sigma(w.sigma)

@@ -8,14 +8,15 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
+#include <CGAL/Surface_mesh_geodesic_offset/Geodesic_number_pair.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Unfolded_mesh.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Number_pair.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Interval_filter.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window.h>
 
 #include <boost/config.hpp>
 
 #include <algorithm>
+#include <optional>
 
 namespace CGAL {
 namespace Geodesic_offset {
@@ -43,10 +44,10 @@ public:
     apex_y = e.apex_y;
     left_length = mesh[mesh.previous(h)].length;
     right_length = mesh[mesh.next(h)].length;
-    (Number_pair<FT>::of(e.apex_x, e.apex_y) / Number_pair<FT>(left_length)).put(cl, sl);
+    (Geodesic_number_pair<FT>::of(e.apex_x, e.apex_y) / Geodesic_number_pair<FT>(left_length)).put(cl, sl);
     // The angle at q comes from the vectors at q: length - apex_x would lose all digits on a tiny edge.
     const auto& n = mesh[mesh.next(h)];
-    (Number_pair<FT>::of(n.apex_x, n.apex_y) / Number_pair<FT>(length)).put(cr, sr);
+    (Geodesic_number_pair<FT>::of(n.apex_x, n.apex_y) / Geodesic_number_pair<FT>(length)).put(cr, sr);
     if constexpr (Number_policy<FT>::is_inexact)
     {
       m_reach = length + apex_y;
@@ -103,12 +104,13 @@ public:
   BOOST_FORCEINLINE bool left_child(const Window& w, const FT& end, const FT& d_end, bool to_apex, const FT& apex_distance,
                                     Window& child) const
   {
-    take_over(w, child);
-    m_change_frame(child.x, child.y, child.sigma, is_parallel, FT(0), FT(0), cl, sl);
+    take_origin(w, child);
+    set_image(child, m_change_frame(w.x, w.y, w.sigma, is_parallel, FT(0), FT(0), cl, sl));
     if (!CGAL::is_negative(child.y)) return false;
-    bool rough;
-    if (!exit<is_parallel>(w, w.x, w.b0, w.d0, cl, sl, left_length, child.b0, child.d0, rough)) return false;
-    if (BOOST_UNLIKELY(rough)) child.d0 = distance_at(child, child.b0, FT(0));
+    const auto first = m_exit(w.x, w.y, w.sigma, is_parallel, w.b0, w.d0, cl, sl, left_length);
+    if (!first) return false;
+    child.b0 = first->t;
+    child.d0 = distance_of(first->distance, child, child.b0);
     if (to_apex)
     {
       child.b1 = left_length;
@@ -116,8 +118,10 @@ public:
     }
     else
     {
-      if (!exit<is_parallel>(w, w.x, end, d_end, cl, sl, left_length, child.b1, child.d1, rough)) return false;
-      if (BOOST_UNLIKELY(rough)) child.d1 = distance_at(child, child.b1, FT(0));
+      const auto last = m_exit(w.x, w.y, w.sigma, is_parallel, end, d_end, cl, sl, left_length);
+      if (!last) return false;
+      child.b1 = last->t;
+      child.d1 = distance_of(last->distance, child, child.b1);
     }
     return CGAL::possibly(estimate(child.b0) < estimate(child.b1));
   }
@@ -127,15 +131,14 @@ public:
   BOOST_FORCEINLINE bool right_child(const Window& w, const FT& begin, const FT& d_begin, bool from_apex,
                                      const FT& apex_distance, Window& child) const
   {
-    take_over(w, child);
-    m_change_frame(child.x, child.y, child.sigma, is_parallel, apex_x, apex_y, cr, FT(-sr));
+    take_origin(w, child);
+    set_image(child, m_change_frame(w.x, w.y, w.sigma, is_parallel, apex_x, apex_y, cr, FT(-sr)));
     if (!CGAL::is_negative(child.y)) return false;
     const FT mirrored = is_parallel ? FT(-w.x) : FT(length - w.x);
-    FT t;
-    bool rough;
-    if (!exit<is_parallel>(w, mirrored, length - w.b1, w.d1, cr, sr, right_length, t, child.d1, rough)) return false;
-    child.b1 = right_length - t;
-    if (BOOST_UNLIKELY(rough)) child.d1 = distance_at(child, child.b1, FT(0));
+    const auto last = m_exit(mirrored, w.y, w.sigma, is_parallel, FT(length - w.b1), w.d1, cr, sr, right_length);
+    if (!last) return false;
+    child.b1 = right_length - last->t;
+    child.d1 = distance_of(last->distance, child, child.b1);
     if (from_apex)
     {
       child.b0 = FT(0);
@@ -143,9 +146,10 @@ public:
     }
     else
     {
-      if (!exit<is_parallel>(w, mirrored, length - begin, d_begin, cr, sr, right_length, t, child.d0, rough)) return false;
-      child.b0 = right_length - t;
-      if (BOOST_UNLIKELY(rough)) child.d0 = distance_at(child, child.b0, FT(0));
+      const auto first = m_exit(mirrored, w.y, w.sigma, is_parallel, FT(length - begin), d_begin, cr, sr, right_length);
+      if (!first) return false;
+      child.b0 = right_length - first->t;
+      child.d0 = distance_of(first->distance, child, child.b0);
     }
     return CGAL::possibly(estimate(child.b0) < estimate(child.b1));
   }
@@ -167,20 +171,16 @@ private:
     return m_traits.compute_distance_2_object()(w.x, w.y, w.sigma, w.is_parallel(), px, py);
   }
 
-  static void take_over(const Window& w, Window& child)
+  static void take_origin(const Window& w, Window& child)
   {
-    child.x = w.x;
-    child.y = w.y;
-    child.sigma = w.sigma;
     child.source_ref = w.source_ref;
     child.bits = w.bits;
   }
 
-  template <bool is_parallel>
-  BOOST_FORCEINLINE bool exit(const Window& w, const FT& x, const FT& b, const FT& d, const FT& c, const FT& s,
-                              const FT& exit_length, FT& t, FT& distance, bool& is_rough) const
+  // The distance of an exit at (t, 0) in the frame of the child.
+  BOOST_FORCEINLINE FT distance_of(const std::optional<FT>& distance, const Window& child, const FT& t) const
   {
-    return m_exit(x, w.y, w.sigma, is_parallel, b, d, c, s, exit_length, t, distance, is_rough);
+    return BOOST_LIKELY(bool(distance)) ? *distance : distance_at(child, t, FT(0));
   }
 
   const Traits& m_traits;

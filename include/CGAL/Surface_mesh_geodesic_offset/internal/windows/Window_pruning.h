@@ -9,7 +9,7 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Number_pair.h>
+#include <CGAL/Surface_mesh_geodesic_offset/Geodesic_number_pair.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Interval_filter.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window.h>
 
@@ -75,7 +75,7 @@ public:
   }
 
   // True if neither vertex removes a part of a window with the ends b and the distances d there, for floating-point numbers.
-  BOOST_FORCEINLINE bool leaves_all(const Number_pair<FT>& b, const Number_pair<FT>& d) const
+  BOOST_FORCEINLINE bool leaves_all(const Geodesic_number_pair<FT>& b, const Geodesic_number_pair<FT>& d) const
   {
     return (m_by + (m_ends + b.with_second_negated()) < d).bits() == 0;
   }
@@ -132,7 +132,7 @@ private:
   Estimate by_target() const { return m_by.second(); }
 
   Estimate m_length, m_min_width;
-  Number_pair<Estimate> m_by, m_ends; // of source and target: the path through it, and its position
+  Geodesic_number_pair<Estimate> m_by, m_ends; // of source and target: the path through it, and its position
   Estimate m_far_x, m_far_yy, m_by_far;
 };
 

@@ -1,0 +1,83 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Whether functors of traits have operators for pairs of numbers, see SurfaceMeshGeodesicOffsetTraitsWithPairs.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOWS_HAS_PAIRS_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOWS_HAS_PAIRS_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/Geodesic_number_pair.h>
+
+#include <type_traits>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+// The value of the tag Has_pairs of a functor; false without the tag.
+template <class Functor, class = void>
+struct Has_pairs : std::false_type
+{
+};
+
+template <class Functor>
+struct Has_pairs<Functor, std::void_t<typename Functor::Has_pairs>> : std::bool_constant<Functor::Has_pairs::value>
+{
+};
+
+// True if images are brought to another frame as pairs.
+template <class Traits>
+struct Has_pair_frames
+{
+  typedef typename Traits::FT FT;
+  typedef const Geodesic_number_pair<FT>& Pair;
+  typedef const typename Traits::Change_frame_2& Change_frame;
+
+  static constexpr bool value = Has_pairs<typename Traits::Change_frame_2>::value;
+
+  static_assert(!value || (std::is_invocable<Change_frame, Pair, const FT&, bool, Pair, Pair, Pair>::value &&
+                           std::is_invocable_r<Geodesic_number_pair<FT>, Change_frame, Pair, Pair, Pair>::value),
+                "Surface_mesh_geodesic_offset: Change_frame_2::Has_pairs is Tag_true, but an operator of "
+                "SurfaceMeshGeodesicOffsetTraitsWithPairs is missing");
+};
+
+// True if the exits of two rays are constructed as a pair.
+template <class Traits>
+struct Has_pair_exits
+{
+  typedef const Geodesic_number_pair<typename Traits::FT>& Pair;
+  typedef const typename Traits::Construct_exit_2& Exit;
+
+  static constexpr bool value = Has_pairs<typename Traits::Construct_exit_2>::value;
+
+  static_assert(!value || std::is_invocable<Exit, Pair, Pair, Pair, bool, Pair, Pair, Pair, Pair, Pair>::value,
+                "Surface_mesh_geodesic_offset: Construct_exit_2::Has_pairs is Tag_true, but the operator of "
+                "SurfaceMeshGeodesicOffsetTraitsWithPairs is missing");
+};
+
+// True if both ends of a window are unfolded at once.
+template <class Traits>
+using Has_pair_children = std::bool_constant<Has_pair_frames<Traits>::value && Has_pair_exits<Traits>::value>;
+
+// True if the distances of two windows are computed as a pair.
+template <class Traits>
+struct Has_pair_distances
+{
+  typedef const Geodesic_number_pair<typename Traits::FT>& Pair;
+  typedef const typename Traits::Compute_distance_2& Distance;
+
+  static constexpr bool value = Has_pairs<typename Traits::Compute_distance_2>::value;
+
+  static_assert(!value ||
+                  std::is_invocable_r<Geodesic_number_pair<typename Traits::FT>, Distance, Pair, Pair, Pair, Pair, Pair>::value,
+                "Surface_mesh_geodesic_offset: Compute_distance_2::Has_pairs is Tag_true, but the operator of "
+                "SurfaceMeshGeodesicOffsetTraitsWithPairs is missing");
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif
