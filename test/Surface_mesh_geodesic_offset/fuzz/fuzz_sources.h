@@ -15,14 +15,6 @@
 
 namespace test {
 
-inline Soup soup_of(const Certified_case& c)
-{
-  Soup soup;
-  for (const auto& p : c.points) soup.points.push_back(Point_3(p[0], p[1], p[2]));
-  for (const auto& t : c.triangles) soup.add_triangle(t);
-  return soup;
-}
-
 class Fuzz_curves
 {
 public:
