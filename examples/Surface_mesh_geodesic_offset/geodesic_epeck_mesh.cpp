@@ -37,8 +37,8 @@ int main(int argc, char* argv[])
 
   // points of the results belong to the kernel of the traits
   std::vector<Kernel::Point_3> path;
-  geodesic.shortest_path_points_to_sources(geodesic.farthest_point().first, std::back_inserter(path));
-  std::cout << "largest distance: " << geodesic.farthest_point().second << '\n'
+  geodesic.shortest_path_points_to_sources(geodesic.farthest_point()->first, std::back_inserter(path));
+  std::cout << "largest distance: " << geodesic.farthest_point()->second << '\n'
             << "from " << path.back() << " to " << path.front() << std::endl;
   return 0;
 }

@@ -39,7 +39,7 @@ int main(int argc, char* argv[])
   geodesic.add_source_point(*vertices(mesh).begin());
   geodesic.build(CGAL::parameters::keep_windows(true));
   std::vector<Geodesic::Offset_curve> curves;
-  geodesic.offset_curves(geodesic.farthest_point().second / 2, std::back_inserter(curves));
+  geodesic.offset_curves(geodesic.farthest_point()->second / 2, std::back_inserter(curves));
   std::cout << curves.size() << " offset curves half way to the farthest point" << std::endl;
   return 0;
 }

@@ -23,10 +23,9 @@ struct Stretching_traits : CGAL::Surface_mesh_geodesic_offset_traits<Kernel, Mes
 
   struct Construct_apices_2
   {
-    template <class... Results> // lengths and apices
-    void operator()(const Point& p, const Point& q, const Point& r, Results&... results) const
+    auto operator()(const Point& p, const Point& q, const Point& r) const
     {
-      Base().construct_apices_2_object()(stretched(p), stretched(q), stretched(r), results...);
+      return Base().construct_apices_2_object()(stretched(p), stretched(q), stretched(r));
     }
     static Point stretched(const Point& p) { return Point(p.x(), p.y(), 2 * p.z()); }
   };
