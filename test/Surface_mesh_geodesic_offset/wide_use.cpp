@@ -64,7 +64,7 @@ void use_class(const Mesh& mesh)
                       parameters::end_style(CGAL::Offset_end::BUTT).offset_side(CGAL::Offset_side::LEFT));
   for (const char* const name : {"a.vtk", "a.dxf", "a.svg"})
     CGAL::IO::write_offset_curves(name, curves, parameters::chord_tolerance(0.1));
-  CGAL::IO::Offset_level_writer writer(std::cout, CGAL::IO::Offset_file_format::VTP, 0.1);
+  CGAL::IO::Offset_level_writer writer(std::cout, CGAL::IO::Offset_file_format::VTP, parameters::chord_tolerance(0.1));
   writer.write(curves);
   writer.finish();
 
@@ -121,7 +121,7 @@ void use_exact_kernel(const Mesh& mesh)
   std::vector<typename Geodesic::Offset_curve> curves;
   geodesic.offset_curves(Exact_kernel::FT(1), std::back_inserter(curves));
   std::vector<Exact_kernel::Point_3> path;
-  geodesic.shortest_path_points_to_sources(geodesic.farthest_point().first, std::back_inserter(path));
+  geodesic.shortest_path_points_to_sources(geodesic.farthest_point()->first, std::back_inserter(path));
 }
 
 #ifdef CGAL_LINKED_WITH_TBB

@@ -38,6 +38,7 @@ public:
   class Test
   {
   public:
+    /// two results.
     Test(bool first, bool second) : m_bits(unsigned(first) | unsigned(second) << 1) {}
     /// bit 0: the first result; bit 1: the second result.
     unsigned bits() const { return m_bits; }
