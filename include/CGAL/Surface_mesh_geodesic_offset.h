@@ -205,8 +205,16 @@ public:
 
   /// adds a vertex.
   /// \param v the vertex
-  /// \param np an optional named parameter, `start_value(s)`: the start value, a finite number that is not negative (default:
-  ///        0)
+  /// \param np an optional named parameter
+  ///
+  /// \cgalNamedParamsBegin
+  ///   \cgalParamNBegin{start_value}
+  ///     \cgalParamDescription{the start value}
+  ///     \cgalParamType{convertible to `FT`, a finite number that is not negative}
+  ///     \cgalParamDefault{0}
+  ///   \cgalParamNEnd
+  /// \cgalNamedParamsEnd
+  ///
   /// \throws std::invalid_argument if the vertex is null, removed or of another mesh, or if the start value is not a finite
   ///         number or is negative.
   template <class NamedParameters = parameters::Default_named_parameters>
@@ -479,7 +487,26 @@ public:
   /// stopped at its targets, had a tolerance, or computed the largest distance without kept windows, all distances are
   /// computed anew, with that tolerance. During the update there are two fields in memory; kept windows of the last build are
   /// copied, which takes time linear in their number. If the visitor cancels the update, the field of the object is unchanged.
-  /// \param np an optional sequence of the named parameters `visitor`, `concurrency_tag` and `verbose`, as in `build()`
+  /// \param np an optional sequence of named parameters among those listed below
+  ///
+  /// \cgalNamedParamsBegin
+  ///   \cgalParamNBegin{visitor}
+  ///     \cgalParamDescription{receives the progress and may cancel the update, as in `build()`}
+  ///     \cgalParamType{a function object `bool(double)`, or a `std::reference_wrapper` of one}
+  ///     \cgalParamDefault{none}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{concurrency_tag}
+  ///     \cgalParamDescription{whether several threads propagate, as in `build()`}
+  ///     \cgalParamType{`Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`}
+  ///     \cgalParamDefault{`Sequential_tag`}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{verbose}
+  ///     \cgalParamDescription{whether a line with counts and times is written to `std::clog`}
+  ///     \cgalParamType{`bool`}
+  ///     \cgalParamDefault{`false`}
+  ///   \cgalParamNEnd
+  /// \cgalNamedParamsEnd
+  ///
   /// \return the field of the object
   /// \throws std::logic_error if `!is_built()`, and std::runtime_error as `build()`
   template <class NamedParameters = parameters::Default_named_parameters>

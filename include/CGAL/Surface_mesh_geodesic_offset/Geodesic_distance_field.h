@@ -300,8 +300,24 @@ public:
   /// subdivide such a face first.
   /// \param levels a distance, a range of distances, or an `Offset_levels` object
   /// \param out an output iterator for `Offset_curve`; curves come by increasing distance
-  /// \param np optional named parameters: `offset_side`, `end_style` and `concurrency_tag` as in
+  /// \param np an optional sequence of named parameters among those listed below, with the meaning and the defaults that they have in
   ///        `Surface_mesh_geodesic_offset::build_with_offset_curves()`
+  ///
+  /// \cgalNamedParamsBegin
+  ///   \cgalParamNBegin{offset_side}
+  ///     \cgalParamDescription{the side of polylines}
+  ///     \cgalParamType{`Offset_side`}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{end_style}
+  ///     \cgalParamDescription{whether there are offsets around the ends of open polylines}
+  ///     \cgalParamType{`Offset_end`}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{concurrency_tag}
+  ///     \cgalParamDescription{whether several threads cut}
+  ///     \cgalParamType{`Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`}
+  ///   \cgalParamNEnd
+  /// \cgalNamedParamsEnd
+  ///
   /// \throws std::invalid_argument as `Surface_mesh_geodesic_offset::build_with_offset_curves()`
   template <class Levels, class OutputIterator, class NamedParameters = parameters::Default_named_parameters>
   OutputIterator offset_curves(const Levels& levels, OutputIterator out,

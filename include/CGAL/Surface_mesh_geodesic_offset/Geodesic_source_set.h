@@ -93,8 +93,15 @@ public:
   /// Each function that adds a source returns its id: 0, 1, 2, ... Ids of removed sources are not used again. Constant or
   /// linear time in the size of the source, and logarithmic time in the number of sources.
   ///
-  /// \param np an optional named parameter, `start_value(s)`, a finite number that is not negative (default: 0): a distance that
-  ///        is added to all distances from the source
+  /// \param np an optional named parameter; for polylines also `is_closed`
+  ///
+  /// \cgalNamedParamsBegin
+  ///   \cgalParamNBegin{start_value}
+  ///     \cgalParamDescription{a distance that is added to all distances from the source}
+  ///     \cgalParamType{convertible to `FT_`, a finite number that is not negative}
+  ///     \cgalParamDefault{0}
+  ///   \cgalParamNEnd
+  /// \cgalNamedParamsEnd
   /// @{
 
   /// adds a vertex.

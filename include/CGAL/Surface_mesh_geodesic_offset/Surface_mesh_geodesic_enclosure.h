@@ -203,9 +203,19 @@ public:
 
   /// computes the bounds for the sources added so far. Without any source, all points are at infinity. In the worst case
   /// O(n^2) windows are propagated; on most meshes their number grows like n^1.5. Runs on the calling thread.
-  /// \param np an optional named parameter, `keep_windows(b)`: whether the windows are kept for queries at points other than
-  ///        vertices; some 100 bytes per window stay in memory then. Other parameters, such as a distance limit or a
-  ///        tolerance, do not compile: the bounds are always those of the whole surface, as tight as the algorithm gives them.
+  /// Other parameters, such as a distance limit or a tolerance, do not compile: the bounds are always those of the whole surface, as
+  /// tight as the algorithm gives them.
+  /// \param np an optional named parameter
+  ///
+  /// \cgalNamedParamsBegin
+  ///   \cgalParamNBegin{keep_windows}
+  ///     \cgalParamDescription{whether the windows are kept for queries at points other than vertices; some 100 bytes per window stay
+  ///                           in memory then}
+  ///     \cgalParamType{`bool`}
+  ///     \cgalParamDefault{`false`}
+  ///   \cgalParamNEnd
+  /// \cgalNamedParamsEnd
+  ///
   /// \throws std::logic_error if the rounding mode is not to nearest, if the compiler has rearranged floating point
   ///         operations, or if the mesh was set up with lengths instead of points
   /// \throws std::runtime_error if thousands of windows reach one edge of a small mesh: in needle faces thinner than about
