@@ -388,6 +388,7 @@ void pairs_are_two_numbers()
   const std::vector<FT> numbers{FT(0), FT(-0.), FT(1) / 3, FT(-7) / 11, FT(1e10) / 7, FT(-3e-20) / 7, infinity, -infinity, nan};
   const auto same = [](FT a, FT b) { return a != a ? b != b : a == b && std::signbit(a) == std::signbit(b); };
   const auto check = [&](const Pair& p, FT first, FT second) { CHECK(same(p.first(), first) && same(p.second(), second)); };
+  for (const unsigned bits : {0u, 1u, 2u, 3u}) CHECK(typename Pair::Test((bits & 1) != 0, (bits & 2) != 0).bits() == bits);
   for (FT a : numbers)
     for (FT b : numbers)
       for (FT c : numbers)

@@ -49,7 +49,8 @@ public:
   - If `FT` is not exact (`CGAL::Algebraic_structure_traits<FT>::Is_exact` is `CGAL::Tag_false`), the algorithm allows for
     rounding in comparisons. The rounding unit is `std::numeric_limits<FT>::%epsilon()`. If `std::numeric_limits<FT>` is not
     specialized, `FT` must have the static function `get_default_precision()`, which returns the number of bits, as
-    `CGAL::Gmpfr` does. Comparisons of exact numbers are exact.
+    `CGAL::Gmpfr` does. Comparisons of exact numbers are exact. `CORE::Expr` is accepted only with the functors of
+    `Surface_mesh_geodesic_offset_traits`.
   - If `std::numeric_limits<FT>::%has_infinity` is `true`, operations and comparisons with infinity are those of IEEE 754. In
     particular, `<`, `<=`, `>` and `>=` are `false` for the result of \f$\infty - \infty\f$. Otherwise \f$10^{300}\f$ stands for
     infinity, and must be in the range of `FT`.

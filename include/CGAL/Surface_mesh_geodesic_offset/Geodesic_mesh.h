@@ -193,7 +193,7 @@ public:
   /// \name Location
   /// The first hundred calls search all faces, in linear time. Later calls use an AABB tree and take logarithmic time on most
   /// meshes. A call with more than a hundred points builds the tree at once, in the time of some hundred searches. Results do not
-  /// depend on the tree: of several faces at the same distance, the location is in the face with the lowest index. Points may belong
+  /// depend on the tree: of several faces at the same distance, the location is in the face with the lowest index. Points, but not rays, may belong
   /// to another kernel than that of the traits: their coordinates are converted. If the mesh has no points, but lengths, these
   /// functions throw `std::logic_error`.
   ///
@@ -269,9 +269,9 @@ public:
   /// \cgalNamedParamsEnd
   /// @{
 
-  /// the polyline on the surface through the locations of points in space. Consecutive locations without a common face are
-  /// joined by the shortest path on the surface. A location that repeats the one before it is left out. The time for a path
-  /// depends on the number of faces that the path may pass, not on the size of the mesh.
+  /// the polyline on the surface through the locations of points in space, which `locate()` finds with its default tolerance.
+  /// Consecutive locations without a common face are joined by the shortest path on the surface. A location that repeats the one
+  /// before it is left out. The time for a path depends on the number of faces that the path may pass, not on the size of the mesh.
   /// \tparam PointRange a model of `ConstRange` with `Point_3`, or a point of another kernel, as value type
   /// \param points the points
   /// \param np an optional named parameter, `is_closed`

@@ -121,6 +121,7 @@ public:
   class Test
   {
   public:
+    Test(bool first, bool second) : m_lanes(_mm_castsi128_pd(_mm_set_epi64x(-(long long)second, -(long long)first))) {}
     explicit Test(__m128d lanes) : m_lanes(lanes) {}
     unsigned bits() const { return unsigned(_mm_movemask_pd(m_lanes)); }
     friend Test operator&(Test a, Test b) { return Test(_mm_and_pd(a.m_lanes, b.m_lanes)); }
