@@ -157,7 +157,9 @@ private:
     const FT tie = shortest + Number_policy<FT>::rounding(16) * shortest;
     n.distance = n.straight <= tie ? n.straight : n.by_corner <= tie ? n.by_corner : shortest;
     const FT s = start_value(face, n);
-    if (n.distance <= s + size_of_point(m_mesh, face)) n.distance = s; // on the source
+    // On the source. With a tolerance, a window of the source may give less than the start value by more than rounding.
+    const FT size = size_of_point(m_mesh, face), least = s - size - Number_policy<FT>::rounding(256) * (s + extent);
+    if (n.distance <= s + size && n.distance >= least) n.distance = s;
     return n;
   }
 
