@@ -6,12 +6,7 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/number_utils.h>
-
-#if defined(__SSE2__) || defined(_M_X64)
-#include <emmintrin.h>
-#define CGAL_GEODESIC_OFFSET_HAS_SSE2
-#endif
+#include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Number_policy.h>
 
 namespace CGAL {
 
@@ -104,12 +99,11 @@ public:
   }
   friend Geodesic_number_pair square_root(const Geodesic_number_pair& a)
   {
-    return Geodesic_number_pair(root(a.m_first), root(a.m_second));
+    return Geodesic_number_pair(Geodesic_offset::internal::square_root<FT>(a.m_first),
+                                Geodesic_offset::internal::square_root<FT>(a.m_second));
   }
 
 private:
-  static FT root(const FT& x) { return CGAL::is_positive(x) ? FT(CGAL::sqrt(x)) : FT(0); }
-
   FT m_first, m_second;
 };
 

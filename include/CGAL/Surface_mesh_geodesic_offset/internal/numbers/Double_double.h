@@ -8,8 +8,6 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/Geodesic_number_pair.h>
-
 #include <cmath>
 
 namespace CGAL {
@@ -68,10 +66,11 @@ struct Split
 #ifdef FP_FAST_FMA
 // a b - c with a single rounding.
 inline double fused(double a, double b, double c) { return std::fma(a, b, -c); }
-inline Geodesic_number_pair<double> fused(const Geodesic_number_pair<double>& a, const Geodesic_number_pair<double>& b,
-                                          const Geodesic_number_pair<double>& c)
+// Overload for pairs.
+template <class Pair>
+inline Pair fused(const Pair& a, const Pair& b, const Pair& c)
 {
-  return Geodesic_number_pair<double>(fused(a.first(), b.first(), c.first()), fused(a.second(), b.second(), c.second()));
+  return Pair(fused(a.first(), b.first(), c.first()), fused(a.second(), b.second(), c.second()));
 }
 #endif
 

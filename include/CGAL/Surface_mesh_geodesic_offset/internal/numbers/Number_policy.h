@@ -18,6 +18,7 @@
 
 #if defined(__SSE2__) || defined(_M_X64)
 #include <emmintrin.h>
+#define CGAL_GEODESIC_OFFSET_HAS_SSE2
 #endif
 
 namespace CGAL {
@@ -98,7 +99,7 @@ inline FT square_root(const FT& x)
   return CGAL::is_positive(x) ? FT(CGAL::sqrt(x)) : FT(0);
 }
 
-#if defined(__SSE2__) || defined(_M_X64)
+#ifdef CGAL_GEODESIC_OFFSET_HAS_SSE2
 // Version without branches and without the library call for error reports.
 template <>
 inline double square_root<double>(const double& x)
