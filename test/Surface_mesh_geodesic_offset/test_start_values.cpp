@@ -4,7 +4,7 @@
 // Start values of sources. The distance of a point is the minimum, over the sources, of the start value plus the distance from
 // that source alone: distances, nearest sources, paths, gradients, and farthest points are compared with this minimum, also
 // where a source lies in the region of another one. Offsets are checked by integrals, and against those of the same source
-// without a start value.
+// without a start value. Distances within a tolerance are compared with a closed form.
 
 #include "derivative_check.h"
 #include "generated_meshes.h"
@@ -470,6 +470,59 @@ void far_apart()
   }
 }
 
+// A flat convex quadrilateral of two faces, where distances have a closed form. A build with a tolerance merges the strip of
+// the edge with the rays around the end of the edge. In the second face, the merged window gives less than the start value of
+// the edge. Where the vertex is the nearest source, the distance may be less than that from the vertex, but not more.
+void tolerances()
+{
+  Soup soup;
+  soup.points = {Point_3(0, 0, 0), Point_3(2, 0, 0), Point_3(4, 1, 0), Point_3(1, 1, 0)};
+  soup.add_triangle({{0, 1, 2}});
+  soup.add_triangle({{0, 2, 3}});
+  const Generated_mesh<Surface_mesh> data(soup);
+  const Mesh_locations locations(data.mesh);
+  const double of_vertex = 3, of_edge = 3.8;
+  const std::vector<Surface_mesh::Edge_index> edges = {edge(data.mesh.halfedge(data.vertices[0], data.vertices[1]), data.mesh)};
+  Geodesic geodesic(data.mesh);
+  geodesic.add_source_edges(edges, CGAL::parameters::start_value(of_edge));
+  geodesic.add_source_point(data.vertices[3], CGAL::parameters::start_value(of_vertex));
+  Random random(1);
+  Path_locations points = {locations.in_triangle(data, soup, 1, {{0.6, 0.2, 0.2}})}; // exact distance: 3.6
+  for (std::size_t i = 0; i < 300; ++i) points.push_back(random_location(locations, data.mesh, random, i % 3));
+  for (const auto& [relative, length] : {std::pair(0., 0.), std::pair(0.5, 0.), std::pair(0., 1.), std::pair(0.1, 0.5)})
+  {
+    Report::instance().set_context("tolerances " + std::to_string(relative) + ", " + std::to_string(length));
+    geodesic.build(CGAL::parameters::relative_tolerance(relative).merging_tolerance(length).keep_windows(true));
+    const auto& s = geodesic.statistics();
+    CHECK((s.windows_merged > 0) == (relative + length > 0)); // without merged windows, the test has no effect
+    for (const Face_location& l : points)
+    {
+      const Point_3 p = locations.point(l);
+      const double by_edge = of_edge + std::hypot((std::max)(0., p.x() - 2), p.y()),
+                   by_vertex = of_vertex + std::hypot(p.x() - 1, p.y() - 1), expected = (std::min)(by_edge, by_vertex),
+                   allowed = tolerance(expected, 4), d = geodesic.distance_to_sources(l);
+      CHECK_DETAIL(d <= expected + allowed, values(d, expected));
+      CHECK_DETAIL(d >= expected - s.error_bound - allowed, values(d, expected));
+      CHECK_DETAIL(d >= expected - relative * expected - length - allowed, values(d, expected));
+    }
+  }
+  // The edge alone. It has no sides, and points nearer than its start value are not on it.
+  Report::instance().set_context("tolerances, one source");
+  Geodesic alone(data.mesh);
+  alone.add_source_edges(edges, CGAL::parameters::start_value(of_edge));
+  alone.build(CGAL::parameters::merging_tolerance(1).keep_windows(true));
+  std::size_t nearer = 0;
+  for (const Face_location& l : points)
+  {
+    const Point_3 p = locations.point(l);
+    const bool is_on_edge = std::hypot((std::max)(0., p.x() - 2), p.y()) <= tolerance(of_edge, 4);
+    if (!is_on_edge && alone.distance_to_sources(l) < of_edge) ++nearer;
+    CHECK(alone.signed_distance_to_sources(l).has_value() == is_on_edge);
+    CHECK(alone.gradient(l).has_value() == !is_on_edge);
+  }
+  CHECK(nearer > 0);
+}
+
 void bad_values()
 {
   Report::instance().set_context("bad start values");
@@ -511,6 +564,7 @@ GEODESIC_OFFSET_TEST(test_start_values)
     {"restarts", test_start_values::restarts},
     {"equal distances", test_start_values::equal_distances},
     {"far apart", test_start_values::far_apart},
+    {"tolerances", test_start_values::tolerances},
     {"bad values", test_start_values::bad_values}};
   const int result = run_tests("test_start_values", tests);
   const auto& t = test_start_values::totals;

@@ -169,9 +169,9 @@ public:
 
   /// the distance, rounded to `double`, with a sign: negative on the left of polylines, which is the inside of
   /// counterclockwise ones, and positive on their right. Infinity if the point is unreachable or farther than
-  /// `covered_distance()`. At a point of a source, the start value of the source. Elsewhere empty if the nearest source is a point or a
-  /// set of edges, which have no sides, or if the nearest point is an end of an open polyline. The side is that of `nearest_source()`, and so is the time, unless the build had a
-  /// tolerance.
+  /// `covered_distance()`. At a point of a source, the start value of the source. Elsewhere empty if the nearest source is a
+  /// point or a set of edges, which have no sides, or if the nearest point is an end of an open polyline. The side is that of
+  /// `nearest_source()`, and so is the time, unless the build had a tolerance.
   template <class Location>
   std::optional<double> signed_distance_to_sources(const Location& location) const
   {

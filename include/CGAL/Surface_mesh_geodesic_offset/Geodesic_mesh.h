@@ -193,9 +193,9 @@ public:
   /// \name Location
   /// The first hundred calls search all faces, in linear time. Later calls use an AABB tree and take logarithmic time on most
   /// meshes. A call with more than a hundred points builds the tree at once, in the time of some hundred searches. Results do not
-  /// depend on the tree: of several faces at the same distance, the location is in the face with the lowest index. Points, but not rays, may belong
-  /// to another kernel than that of the traits: their coordinates are converted. If the mesh has no points, but lengths, these
-  /// functions throw `std::logic_error`.
+  /// depend on the tree: of several faces at the same distance, the location is in the face with the lowest index. Points, but
+  /// not rays, may belong to another kernel than that of the traits: their coordinates are converted. If the mesh has no points,
+  /// but lengths, these functions throw `std::logic_error`.
   ///
   /// \cgalNamedParamsBegin
   ///   \cgalParamNBegin{snapping_tolerance}

@@ -27,6 +27,7 @@ struct Path_start
   FT distance = Number_policy<FT>::infinity();
   FT start_value = FT(0); // of the source
   Source_ref source_ref;  // source and side of the window; the part of the source is known at the end of the path only
+  bool is_below_start_value = false; // true if the distance is less, by more than rounding: a merged window may be farther back
   Index pseudo_source = no_index;
   Index halfedge = no_index; // of the first face; no_index at a source and at infinite distance
   int exit = -1;             // edge through which the path leaves the face, counted from the halfedge; -1 if it does not leave
@@ -40,7 +41,7 @@ struct Path_start
 
   // Length of the path.
   FT length() const { return CGAL::is_zero(start_value) ? distance : FT(distance - start_value); }
-  bool is_at_source() const { return !(start_value < distance); }
+  bool is_at_source() const { return !(start_value < distance) && !is_below_start_value; }
 
   Path_start before_measurement() const
   {
@@ -77,8 +78,7 @@ public:
   {
     Path_start<FT> start;
     start.distance = m_field.distance[v];
-    start.source_ref = m_field.source_ref[v];
-    start.start_value = m_field.start_values.of(start.source_ref);
+    set_source(m_field.source_ref[v], start);
     const Backtrace<FT>& back = m_field.back[v];
     if (!start.is_reached() || start.is_at_source() || back.corner == no_index) return start;
     start.pseudo_source = back.pseudo_source;
@@ -353,10 +353,13 @@ private:
     set_goal(start, {FT(0), FT(0)}, false);
   }
 
+  // The distance must be set.
   void set_source(Source_ref source_ref, Path_start<FT>& start) const
   {
     start.source_ref = source_ref;
     start.start_value = m_field.start_values.of(source_ref);
+    start.is_below_start_value =
+      start.distance < start.start_value - window_allowance(start.start_value + m_mesh.longest_edge());
   }
 
   // Sets the goal, the image of the window. `from` and the distance must be set.
