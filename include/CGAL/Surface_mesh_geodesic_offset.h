@@ -12,6 +12,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/Offset_curve.h>
 #include <CGAL/Surface_mesh_geodesic_offset/Offset_levels.h>
 #include <CGAL/Surface_mesh_geodesic_offset/Offset_side.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/compilation/separate_functions.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/statistics_report.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/graded/Graded_distances.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/cut_offset_curves.h>

@@ -53,13 +53,9 @@ public:
   }
 
   // Propagates without a consumer of finalized faces. `may_search`: false if no request needs the farthest point; then the
-  // search is not instantiated.
+  // search is not instantiated. Defined outside the class, as it may be compiled separately (separate_functions.h).
   template <class Concurrency_tag = Sequential_tag, bool may_search = false>
-  void propagate(const Traits& traits)
-  {
-    Nothing nothing;
-    run<Concurrency_tag, may_search>(traits, nothing);
-  }
+  void propagate(const Traits& traits);
 
   // Propagates and hands faces to a consumer, see Wavefront::run().
   template <class Concurrency_tag, bool may_search = false, class Consumer>
@@ -219,6 +215,14 @@ private:
   Build_request<FT> m_request;
   const Index m_first_new = 0; // primitive
 };
+
+template <class Traits>
+template <class Concurrency_tag, bool may_search>
+void Geodesic_build<Traits>::propagate(const Traits& traits)
+{
+  Nothing nothing;
+  run<Concurrency_tag, may_search>(traits, nothing);
+}
 
 } // namespace internal
 } // namespace Geodesic_offset

@@ -10,6 +10,7 @@
 
 #include <CGAL/Surface_mesh_geodesic_offset/Geodesic_mesh_type.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Geodesic_build.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/compilation/separate_functions.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/statistics_report.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/graded/Graded_distances.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Source_argument.h>

@@ -37,9 +37,10 @@ struct Has_extended_fields<Traits, void>
 };
 
 // The initial windows of sources on an Extended_mesh, and the results of their propagation.
+template <class Number>
 struct Extended_field
 {
-  typedef Extended_mesh::FT FT;
+  typedef Number FT;
 
   std::vector<Index> source_of; // per id of a source there, that of the user
   std::optional<Initial_windows<FT>> initial;
@@ -47,13 +48,13 @@ struct Extended_field
 
   // Distances are final up to `maximum`, and sources with larger start values are left out.
   // \throws std::runtime_error if there are too many windows, see Window_lists and Wavefront_state::limit_work()
-  void propagate(const Extended_mesh& mesh, const Source_set<double>& sources, double maximum, bool keeps_windows)
+  void propagate(const Extended_mesh<Number>& mesh, const Source_set<double>& sources, double maximum, bool keeps_windows)
   {
     initial.emplace(mesh.sources(sources, maximum, source_of).initial_windows(mesh.unfolded()));
     results.clear(mesh.unfolded(), initial->start_values);
-    const Extended_mesh::Traits traits;
-    Wavefront<Extended_mesh::Traits> front(mesh.unfolded(), *initial, traits, mesh.to_scale(maximum), keeps_windows, false,
-                                           results);
+    typedef typename Extended_mesh<Number>::Traits Traits;
+    const Traits traits;
+    Wavefront<Traits> front(mesh.unfolded(), *initial, traits, mesh.to_scale(maximum), keeps_windows, false, results);
     front.limit_work(most_work_of_mesh + most_work_of_halfedge * mesh.unfolded().number_of_halfedges());
     Nothing nothing;
     front.run(nothing, [](const FT&, std::size_t) { return true; });

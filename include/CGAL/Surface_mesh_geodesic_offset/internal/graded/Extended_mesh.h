@@ -11,7 +11,6 @@
 #include <CGAL/Surface_mesh_geodesic_offset/Surface_mesh_geodesic_offset_traits.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Layout_by_lengths.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Unfolded_mesh.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Extended_number.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Source_set.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -20,6 +19,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <unordered_map>
 #include <utility>
@@ -29,18 +29,21 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
+// The coordinates of a vertex; empty for a mesh without points.
+typedef std::function<std::array<double, 3>(Index)> Point_of_vertex;
+
 // Lengths are scaled by a power of two such that the longest edge is between 1 and 2: products keep all digits.
+template <class Number>
 class Extended_mesh
 {
 public:
-  typedef Extended_number FT;
+  typedef Number FT;
   typedef Surface_mesh_geodesic_offset_traits<Simple_cartesian<FT>, void> Traits;
   typedef Source_set<double> Sources;
   typedef Source_set<FT> Extended_sources;
 
-  // `faces`: different faces of `mesh`. `Points`: has_points(), and (v), the coordinates of a vertex.
-  template <class Points>
-  Extended_mesh(const Unfolded_mesh<double>& mesh, const std::vector<Index>& faces, const Points& points) : m_mesh(mesh)
+  // `faces`: different faces of `mesh`.
+  Extended_mesh(const Unfolded_mesh<double>& mesh, const std::vector<Index>& faces, const Point_of_vertex& point) : m_mesh(mesh)
   {
     double longest = 0;
     for (const Index f : faces)
@@ -68,16 +71,16 @@ public:
       face_at.push_back(Index(face_at.size()));
     }
     auto&& alone = Single_worker();
-    if (!points.has_points())
+    if (!point)
     {
       m_extended = Unfolded_mesh<FT>(Own_numbers(), links, face_at, m_vertex.size(), Layout_by_lengths<FT>(lengths), alone);
       return;
     }
-    std::vector<Traits::Point_3> positions(m_vertex.size());
+    std::vector<typename Traits::Point_3> positions(m_vertex.size());
     for (const auto& [v, i] : m_vertex)
     {
-      const std::array<double, 3> p = points(v);
-      positions[i] = Traits::Point_3(scaled(p[0]), scaled(p[1]), scaled(p[2]));
+      const std::array<double, 3> p = point(v);
+      positions[i] = typename Traits::Point_3(scaled(p[0]), scaled(p[1]), scaled(p[2]));
     }
     m_extended = Unfolded_mesh<FT>(Own_numbers(), links, face_at, positions, Traits(), alone);
   }
@@ -104,7 +107,8 @@ public:
     Extended_sources result;
     all.for_each([&](std::size_t id, const Sources::Source& s) {
       if (!(s.start_value <= largest_start_value)) return;
-      add_parts(s, [&](Extended_sources::Kind kind, std::vector<Surface_point<FT>> points, std::vector<Index> halfedges) {
+      add_parts(s,
+                [&](typename Extended_sources::Kind kind, std::vector<Surface_point<FT>> points, std::vector<Index> halfedges) {
         result.insert(source_of.size(), {kind, std::move(points), std::move(halfedges), to_scale(s.start_value), {}});
         source_of.push_back(Index(id));
       });

@@ -8,15 +8,15 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/graded/Extended_field.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/graded/extended_distances.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/graded/Graded_places.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/graded/Points_of_surface.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <map>
-#include <stdexcept>
 #include <type_traits>
 #include <vector>
 
@@ -28,8 +28,6 @@ namespace internal {
 template <class Surface>
 class Graded_distances
 {
-  typedef typename Extended_mesh::FT Extended;
-
 public:
   explicit Graded_distances(const Surface& surface) : m_surface(surface) {}
 
@@ -44,22 +42,13 @@ public:
     if (places.vertices().empty() || !rounds_to_nearest() || !rounds_correctly()) return result;
     double farthest = 0;
     for (const Index v : places.vertices()) farthest = (std::max)(farthest, field.distance[v]);
-    const Extended_mesh mesh(m_surface.unfolded, places.faces(), points);
-    if (!mesh.unfolded().is_laid_out()) return result;
     const double rounding = rounding_of_reach * m_surface.unfolded.longest_edge(), reach = farthest + 2 * rounding;
-    Extended_field extended;
-    try
-    {
-      extended.propagate(mesh, sources, reach, false);
-    }
-    catch (const std::runtime_error&)
-    { // too many windows, see Window_lists
-      return result;
-    }
-    for (const Index v : places.vertices())
-      if (const Extended& d = extended.results.distance[mesh.vertex(v)];
-          Number_policy<Extended>::is_finite(d) && std::abs(mesh.from_scale(d) - field.distance[v]) <= rounding)
-        result.emplace(v, (std::min)(maximum, mesh.from_scale(d)));
+    const std::vector<double> extended =
+      extended_distances<Extended_number>(m_surface.unfolded, places.faces(), points.point_of_vertex(), sources, reach,
+                                          places.vertices());
+    for (std::size_t i = 0; i < extended.size(); ++i)
+      if (const Index v = places.vertices()[i]; std::abs(extended[i] - field.distance[v]) <= rounding)
+        result.emplace(v, (std::min)(maximum, extended[i]));
     return result;
   }
 

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 
 namespace CGAL {
 namespace Geodesic_offset {
@@ -30,6 +31,13 @@ public:
   {
     const auto p = m_surface.position(m_surface.vertex_of[v]);
     return {p.x(), p.y(), p.z()};
+  }
+
+  // Empty without points. It refers to the surface.
+  std::function<std::array<double, 3>(Index)> point_of_vertex() const
+  {
+    if (!has_points()) return {};
+    return [points = *this](Index v) { return points(v); };
   }
 
   // The distance in space of vertex v from the edge of a and b, a lower bound of that on the surface. Zero without points.

@@ -53,8 +53,8 @@ using Functors_of =
              decltype(std::declval<T>().construct_exit_2_object()), decltype(std::declval<T>().compute_distance_2_object()),
              decltype(std::declval<T>().compare_distance_2_object())>;
 
-// The traits of the computation: the user's, or, if these are the package's traits or derived from them and the computation
-// uses another number type, the package's traits with that type.
+// The traits of the computation: the user's, unless these have the functors of the package's traits. Then the traits are those of
+// the package for the number type of the computation, without the type of the mesh: the front is the same for all meshes.
 template <class Traits, class Package = Package_traits<Traits>>
 struct Computation;
 
@@ -73,17 +73,19 @@ struct Computation<Traits, Surface_mesh_geodesic_offset_traits<K, TriangleMesh>>
 {
   typedef Surface_mesh_geodesic_offset_traits<K, TriangleMesh> Package;
   typedef typename Computation_number<typename K::FT>::type Number;
-  static constexpr bool is_own = std::is_same<Number, typename K::FT>::value;
-  static_assert(is_own || std::is_same<Functors_of<Traits>, Functors_of<Package>>::value,
+  static constexpr bool is_own_number = std::is_same<Number, typename K::FT>::value,
+                        has_functors_of_package = std::is_same<Functors_of<Traits>, Functors_of<Package>>::value;
+  static_assert(is_own_number || has_functors_of_package,
                 "Surface_mesh_geodesic_offset: with exact square roots, traits that are derived from "
                 "Surface_mesh_geodesic_offset_traits must have its functors: the computation is on other numbers");
-  typedef std::conditional_t<is_own, Traits, Surface_mesh_geodesic_offset_traits<Simple_cartesian<Number>, TriangleMesh>>
+  typedef std::conditional_t<is_own_number, K, Simple_cartesian<Number>> Computing_kernel;
+  typedef std::conditional_t<has_functors_of_package, Surface_mesh_geodesic_offset_traits<Computing_kernel, void>, Traits>
     Computing_traits;
 
   static Computing_traits computing_traits(const Traits& traits)
   {
-    if constexpr (is_own) return traits;
-    else return (void)traits, Computing_traits();
+    if constexpr (has_functors_of_package) return (void)traits, Computing_traits();
+    else return traits;
   }
 };
 

@@ -23,6 +23,7 @@
 #include <array>
 #include <chrono>
 #include <cstddef>
+#include <functional>
 #include <map>
 #include <stdexcept>
 #include <type_traits>
@@ -73,16 +74,19 @@ auto make_curve_output(const Geodesic_mesh_data<Surface>& mesh, const Build& bui
                                          build.request().tolerance, levels, selection, std::move(inside), f);
 }
 
-// Consumer of faces that cuts the levels in them (see Wavefront::run()). Calls out(level index, Level_curves) for each finished
-// level with curves.
-template <class FT, class Function>
+// Takes the curves of a level, which is given by its index.
+template <class FT>
+using Level_output = std::function<void(std::size_t, const Level_curves<FT>&)>;
+
+// Consumer of faces that cuts the levels in them (see Wavefront::run()). Calls the output for each finished level with curves.
+template <class FT>
 class Level_cutter
 {
 public:
   static constexpr bool reads_lists = true;
 
   template <class Build>
-  Level_cutter(const Unfolded_mesh<FT>& mesh, const Build& build, const Offset_levels<FT>& levels, const Function& out)
+  Level_cutter(const Unfolded_mesh<FT>& mesh, const Build& build, const Offset_levels<FT>& levels, const Level_output<FT>& out)
     : m_tolerance(build.request().tolerance),
       m_extraction(mesh, build.initial, build.field, levels, build.maximum, m_tolerance), m_out(out)
   {
@@ -148,14 +152,16 @@ private:
 
   const Merging_tolerance<FT> m_tolerance; // a point nearer than a level may be settled only at the exact distance
   Offset_extraction<FT> m_extraction;
-  const Function& m_out;
+  const Level_output<FT>& m_out;
   double m_seconds = 0, m_seconds_within_propagation = 0;
 };
 
-// Cuts the levels in all faces, from kept windows.
-template <class Concurrency_tag, class FT, class Build, class Function>
-void cut_all_faces(const Unfolded_mesh<FT>& mesh, const Build& build, const Offset_levels<FT>& levels, const Function& out)
+// Cuts the levels in all faces, from kept windows. May be compiled separately (separate_functions.h), as the next function.
+template <class Concurrency_tag, class Traits>
+void cut_all_faces(const Unfolded_mesh<typename Traits::FT>& mesh, const Geodesic_build<Traits>& build,
+                   const Offset_levels<typename Traits::FT>& levels, const Level_output<typename Traits::FT>& out)
 {
+  typedef typename Traits::FT FT;
   constexpr std::size_t at_once = 1 << 12;
   Offset_extraction<FT> extraction(mesh, build.initial, build.field, levels, build.maximum, build.request().tolerance);
   {
@@ -172,15 +178,23 @@ void cut_all_faces(const Unfolded_mesh<FT>& mesh, const Build& build, const Offs
   extraction.release_all(build.maximum, out);
 }
 
-// Propagates, and calls f(distance, curves) for each level. `may_search` as in Geodesic_build::propagate().
+// Propagates, and cuts the levels in the finalized faces. `may_search` as in Geodesic_build::propagate().
+template <class Concurrency_tag, bool may_search, class Traits>
+void cut_finalized_faces(const Unfolded_mesh<typename Traits::FT>& mesh, Geodesic_build<Traits>& build, const Traits& traits,
+                         const Offset_levels<typename Traits::FT>& levels, const Level_output<typename Traits::FT>& out)
+{
+  Level_cutter<typename Traits::FT> cutter(mesh, build, levels, out);
+  build.template run<Concurrency_tag, may_search>(traits, cutter);
+  cutter.finish(build.maximum, build.statistics);
+}
+
+// Propagates, and calls f(distance, curves) for each level.
 template <class Concurrency_tag, bool may_search = false, class Surface, class Build, class Function>
 void propagate_and_cut(const Geodesic_mesh_data<Surface>& mesh, Build& build,
                        const Offset_levels<typename Surface::Number>& levels, const Offset_selection& selection, Function& f)
 {
   const auto output = make_curve_output(mesh, build, levels, selection, f);
-  Level_cutter<typename Surface::Number, std::decay_t<decltype(output)>> cutter(mesh.unfolded(), build, levels, output);
-  build.template run<Concurrency_tag, may_search>(mesh.traits, cutter);
-  cutter.finish(build.maximum, build.statistics);
+  cut_finalized_faces<Concurrency_tag, may_search>(mesh.unfolded(), build, mesh.traits, levels, std::cref(output));
   output.finish();
 }
 
@@ -192,7 +206,7 @@ void cut_offset_curves(const Geodesic_mesh_data<Surface>& mesh, const Build& bui
   if (build.kept)
   {
     const auto output = make_curve_output(mesh, build, levels, selection, f);
-    cut_all_faces<Concurrency_tag>(mesh.unfolded(), build, levels, output);
+    cut_all_faces<Concurrency_tag>(mesh.unfolded(), build, levels, std::cref(output));
     output.finish();
     return;
   }

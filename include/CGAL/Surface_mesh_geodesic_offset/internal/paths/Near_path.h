@@ -86,23 +86,13 @@ public:
   {
   }
 
-  // `suffixes`: the cache of path suffixes of this field.
+  // `suffixes`: the cache of path suffixes of this field. These functions are defined outside the class, as they may be compiled
+  // separately (separate_functions.h).
   template <class Suffix_cache>
-  FT distance(const Located_point<FT>& p, Suffix_cache& suffixes) const
-  {
-    if (p.kind == Surface_point<FT>::VERTEX) return m_field.distance_of_path(p.element);
-    const FT d = Path_starts<FT>(m_mesh, m_initial, m_field).distance(p);
-    return d > FT(0) && is_near(p, FT(d - m_field.start_values.largest())) ? measured(p, suffixes).distance : d;
-  }
+  FT distance(const Located_point<FT>& p, Suffix_cache& suffixes) const;
 
   template <class Suffix_cache>
-  Path_start<FT> operator()(const Located_point<FT>& p, Suffix_cache& suffixes) const
-  {
-    Path_start<FT> start = Path_starts<FT>(m_mesh, m_initial, m_field)(p);
-    if (p.kind == Surface_point<FT>::VERTEX) set_distance(m_field.distance_of_path(p.element), start);
-    else if (!start.is_at_source() && is_near(p, start.length()) && start.halfedge != no_index) measure(p, suffixes, start);
-    return start;
-  }
+  Path_start<FT> operator()(const Located_point<FT>& p, Suffix_cache& suffixes) const;
 
   // Distances by path length of the vertices near sources for which it differs from the distance by windows by more than
   // rounding. Vertices farther than `maximum` are left out.
@@ -196,6 +186,25 @@ private:
   const Geodesic_field<FT>& m_field;
   const bool m_measures;
 };
+
+template <class FT>
+template <class Suffix_cache>
+FT Near_path<FT>::distance(const Located_point<FT>& p, Suffix_cache& suffixes) const
+{
+  if (p.kind == Surface_point<FT>::VERTEX) return m_field.distance_of_path(p.element);
+  const FT d = Path_starts<FT>(m_mesh, m_initial, m_field).distance(p);
+  return d > FT(0) && is_near(p, FT(d - m_field.start_values.largest())) ? measured(p, suffixes).distance : d;
+}
+
+template <class FT>
+template <class Suffix_cache>
+Path_start<FT> Near_path<FT>::operator()(const Located_point<FT>& p, Suffix_cache& suffixes) const
+{
+  Path_start<FT> start = Path_starts<FT>(m_mesh, m_initial, m_field)(p);
+  if (p.kind == Surface_point<FT>::VERTEX) set_distance(m_field.distance_of_path(p.element), start);
+  else if (!start.is_at_source() && is_near(p, start.length()) && start.halfedge != no_index) measure(p, suffixes, start);
+  return start;
+}
 
 // Start of the path from p in a build; not reached if p is beyond the distance limit.
 template <class FT, class Build>

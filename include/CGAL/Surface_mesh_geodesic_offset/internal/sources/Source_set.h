@@ -45,12 +45,9 @@ public:
     for (const auto& s : m_sources) f(s.first, s.second);
   }
 
-  // \throws std::invalid_argument if rays cannot start from the source
-  static void check(const Unfolded_mesh<FT>& mesh, const Source& source)
-  {
-    Initial_windows<FT> trial(mesh);
-    start(mesh, source, 0, trial);
-  }
+  // \throws std::invalid_argument if rays cannot start from the source. Defined outside the class, as initial_windows(): they may be
+  // compiled separately (separate_functions.h).
+  static void check(const Unfolded_mesh<FT>& mesh, const Source& source);
 
   // True if this set consists of `before` and sources with later ids.
   bool extends(const Source_set& before) const
@@ -61,13 +58,7 @@ public:
     return true;
   }
 
-  Initial_windows<FT> initial_windows(const Unfolded_mesh<FT>& mesh) const
-  {
-    Initial_windows<FT> initial(mesh);
-    for (const auto& s : m_sources) start(mesh, s.second, Index(s.first), initial);
-    initial.finish();
-    return initial;
-  }
+  Initial_windows<FT> initial_windows(const Unfolded_mesh<FT>& mesh) const;
 
   // Calls f(id, is_closed, set with this source only, without its start value) for each polyline.
   template <class Function>
@@ -97,6 +88,22 @@ private:
 
   std::map<std::size_t, Source> m_sources;
 };
+
+template <class FT>
+void Source_set<FT>::check(const Unfolded_mesh<FT>& mesh, const Source& source)
+{
+  Initial_windows<FT> trial(mesh);
+  start(mesh, source, 0, trial);
+}
+
+template <class FT>
+Initial_windows<FT> Source_set<FT>::initial_windows(const Unfolded_mesh<FT>& mesh) const
+{
+  Initial_windows<FT> initial(mesh);
+  for (const auto& s : m_sources) start(mesh, s.second, Index(s.first), initial);
+  initial.finish();
+  return initial;
+}
 
 } // namespace internal
 } // namespace Geodesic_offset

@@ -11,6 +11,7 @@
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/graded/Extended_field.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/graded/Points_of_surface.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Extended_number.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/voronoi_extraction.h>
 
 #include <cstddef>
@@ -25,26 +26,24 @@ namespace Geodesic_offset {
 namespace internal {
 
 // Function object that finds the bisectors with twice the digits of double.
-template <class Surface>
+template <class Number>
 class Extended_bisectors
 {
-  typedef Extended_mesh::FT Extended;
-
 public:
-  explicit Extended_bisectors(const Surface& surface) : m_surface(surface) {}
+  Extended_bisectors(const Unfolded_mesh<double>& mesh, const Point_of_vertex& point) : m_mesh(mesh), m_point(point) {}
 
   // Nothing if the rounding mode does not allow it, or there are too many windows or comparisons.
   std::optional<Bisector_diagram<double>> operator()(const Source_set<double>& sources)
   {
     if (!rounds_to_nearest() || !rounds_correctly()) return std::nullopt;
     m_faces.clear();
-    for (Index f = 0; f < m_surface.unfolded.number_of_faces(); ++f)
-      if (m_surface.unfolded.source(3 * f) != no_index) m_faces.push_back(f);
-    const Extended_mesh mesh(m_surface.unfolded, m_faces, Points_of_surface<Surface>(m_surface));
+    for (Index f = 0; f < m_mesh.number_of_faces(); ++f)
+      if (m_mesh.source(3 * f) != no_index) m_faces.push_back(f);
+    const Extended_mesh<Number> mesh(m_mesh, m_faces, m_point);
     if (!mesh.unfolded().is_laid_out()) return std::nullopt;
     try
     {
-      Extended_field field;
+      Extended_field<Number> field;
       field.propagate(mesh, sources, std::numeric_limits<double>::infinity(), true);
       for (std::size_t i = 0; i < field.initial->primitives.size(); ++i)
         field.initial->source_of[i] = field.initial->primitives[i].source =
@@ -52,7 +51,7 @@ public:
       typedef Voronoi_tolerances<double> Tolerances;
       const std::size_t most_comparisons =
         Tolerances::most_repeated_comparisons + Tolerances::most_repeated_comparisons_of_face * m_faces.size();
-      if (const auto d = find_bisectors<Extended>(mesh.unfolded(), *field.initial, field.results, {most_comparisons, false}))
+      if (const auto d = find_bisectors<Number>(mesh.unfolded(), *field.initial, field.results, {most_comparisons, false}))
         return in_double(*d, mesh);
     }
     catch (const std::runtime_error&)
@@ -62,9 +61,9 @@ public:
   }
 
 private:
-  Bisector_diagram<double> in_double(const Bisector_diagram<Extended>& d, const Extended_mesh& mesh) const
+  Bisector_diagram<double> in_double(const Bisector_diagram<Number>& d, const Extended_mesh<Number>& mesh) const
   {
-    const double scale = mesh.from_scale(Extended(1));
+    const double scale = mesh.from_scale(Number(1));
     const std::vector<Index> vertex_of = mesh.original_vertices();
     const auto original_halfedge = [this](Index h) { return h == no_index ? h : 3 * m_faces[h / 3] + h % 3; };
     Bisector_diagram<double> result;
@@ -84,7 +83,7 @@ private:
     for (const auto& v : d.vertices)
       result.vertices.push_back(
         {m_faces[v.face], {scale * CGAL::to_double(v.point.x), scale * CGAL::to_double(v.point.y)}, v.edge, v.curves});
-    result.label_of_face.assign(m_surface.unfolded.number_of_faces(), no_index);
+    result.label_of_face.assign(m_mesh.number_of_faces(), no_index);
     for (std::size_t i = 0; i < m_faces.size(); ++i) result.label_of_face[m_faces[i]] = d.label_of_face[i];
     for (const auto& [face, cells] : d.cells) result.cells.emplace(m_faces[face], cells.in_double(scale));
     result.divisions = d.divisions;
@@ -93,9 +92,18 @@ private:
     return result;
   }
 
-  const Surface& m_surface;
+  const Unfolded_mesh<double>& m_mesh;
+  const Point_of_vertex& m_point;
   std::vector<Index> m_faces;
 };
+
+// As for extended_distances(), a function of its own may be compiled separately.
+template <class Number>
+std::optional<Bisector_diagram<double>> extended_bisectors(const Unfolded_mesh<double>& mesh, const Point_of_vertex& point,
+                                                           const Source_set<double>& sources)
+{
+  return Extended_bisectors<Number>(mesh, point)(sources);
+}
 
 template <class Surface, class Build>
 Bisector_diagram<double> find_bisectors_of_build(const Surface& surface, const Build& build)
@@ -109,7 +117,8 @@ Bisector_diagram<double> find_bisectors_of_build(const Surface& surface, const B
   {
     auto diagram = find(true);
     if (diagram && !diagram->is_uncertain) return std::move(*diagram);
-    auto extended = Extended_bisectors<Surface>(surface)(build.sources);
+    auto extended = extended_bisectors<Extended_number>(surface.unfolded, Points_of_surface<Surface>(surface).point_of_vertex(),
+                                                        build.sources);
     if (extended && extended->forced_cells == 0) return std::move(*extended);
     if (!diagram) diagram = find(false);
     return extended && extended->forced_cells <= diagram->forced_cells ? std::move(*extended) : std::move(*diagram);

@@ -1,0 +1,66 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The functions that may be compiled separately, see separate_compilation.h: those that take the compiler longest and do not
+// depend on the types of the user.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_COMPILATION_SEPARATE_FUNCTIONS_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_COMPILATION_SEPARATE_FUNCTIONS_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#ifdef CGAL_GEODESIC_OFFSET_SEPARATE_COMPILATION
+
+#include <CGAL/Surface_mesh_geodesic_offset/Surface_mesh_geodesic_offset_traits.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Geodesic_build.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/graded/extended_distances.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Inner_side.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/cut_offset_curves.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Near_path.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Source_set.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Extended_bisectors.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <map>
+#include <optional>
+#include <vector>
+
+// `instantiation`: `extern template` or `template`
+#define CGAL_GEODESIC_OFFSET_SEPARATE_FUNCTIONS(instantiation)                                                                 \
+  instantiation Initial_windows<double> Source_set<double>::initial_windows(const Unfolded_mesh<double>&) const;               \
+  instantiation void Source_set<double>::check(const Unfolded_mesh<double>&, const Source_set<double>::Source&);               \
+  instantiation void Geodesic_build<Traits_with_epick>::propagate<Sequential_tag, false>(const Traits_with_epick&);            \
+  instantiation void cut_finalized_faces<Sequential_tag, false>(                                                               \
+    const Unfolded_mesh<double>&, Geodesic_build<Traits_with_epick>&, const Traits_with_epick&, const Offset_levels<double>&,  \
+    const Level_output<double>&);                                                                                              \
+  instantiation void cut_all_faces<Sequential_tag>(const Unfolded_mesh<double>&, const Geodesic_build<Traits_with_epick>&,     \
+                                                   const Offset_levels<double>&, const Level_output<double>&);                 \
+  instantiation double Near_path<double>::distance(const Located_point<double>&, Suffixes_on_mesh&) const;                     \
+  instantiation Path_start<double> Near_path<double>::operator()(const Located_point<double>&, Suffixes_on_mesh&) const;       \
+  instantiation std::optional<Bisector_diagram<double>> find_bisectors<double>(                                                \
+    const Unfolded_mesh<double>&, const Initial_windows<double>&, const Geodesic_field<double>&, const Bisector_limits&);      \
+  instantiation std::map<Index, Source_side> inner_sides(const Unfolded_mesh<double>&, const Traits_with_epick&,               \
+                                                         const Source_set<double>&);                                           \
+  instantiation std::vector<double> extended_distances<Extended_number>(                                                       \
+    const Unfolded_mesh<double>&, const std::vector<Index>&, const Point_of_vertex&, const Source_set<double>&, double,        \
+    const std::vector<Index>&);                                                                                                \
+  instantiation std::optional<Bisector_diagram<double>> extended_bisectors<Extended_number>(                                   \
+    const Unfolded_mesh<double>&, const Point_of_vertex&, const Source_set<double>&);
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+typedef Surface_mesh_geodesic_offset_traits<Exact_predicates_inexact_constructions_kernel, void> Traits_with_epick;
+typedef Path_suffix_cache<double, Path_crossing<double>> Suffixes_on_mesh;
+
+CGAL_GEODESIC_OFFSET_SEPARATE_FUNCTIONS(extern template)
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif
+
+#endif
