@@ -626,6 +626,56 @@ void pinched_vertices()
   CHECK_DETAIL(without_curves > 20, std::to_string(without_curves));
 }
 
+// Curves within a tolerance at the distance of a pinched vertex leave the vertex out, which is farther by up to the tolerance. From
+// an attack: a mesh of 67 vertices with two sources.
+void pinched_vertices_within_tolerances()
+{
+  test::Surface_mesh mesh;
+  if (!CHECK(CGAL::IO::read_polygon_mesh(std::string(GEODESIC_OFFSET_TEST_DIR) + "/data/tolerance_pinched.off", mesh))) return;
+  Case c("pinched vertices within tolerances", mesh);
+  typedef test::Surface_mesh::Face_index Face;
+  const auto start = CGAL::parameters::start_value(0.66856635219183247);
+  const std::vector<Face_location> line = {{Face(43), {{0.73627668129425983, 0, 0.26372331870574017}}},
+                                           {Face(43), {{0.12206276574392733, 0.86038277609755576, 0.017554458158516837}}},
+                                           {Face(43), {{0.0056551718316023422, 0.0052368035666373715, 0.98910802460176028}}},
+                                           {Face(43), {{1. / 3, 1. / 3, 1. / 3}}}};
+  const test::Surface_mesh::Vertex_index source(17), pinched(22);
+  c.geodesic.add_source_point(source, start);
+  c.enclosure.add_source_point(source, start);
+  c.geodesic.add_source_polyline(line);
+  c.enclosure.add_source_polyline(line);
+  c.build();
+  const auto field = c.geodesic.build(CGAL::parameters::merging_tolerance(1.0085301489111267).keep_windows(true));
+  const double level = field.distance_to_sources(pinched), exact = c.enclosure.distance_bounds(pinched).first;
+  CHECK_DETAIL(level < 0.99 * exact, values(level, exact)); // else the test has no effect
+  for (const double d : {level, level * (1 - 1e-6)})
+  {
+    std::vector<Geodesic::Offset_curve> curves;
+    field.offset_curves(d, std::back_inserter(curves));
+    const Certificate certificate = c.enclosure.certify_offset(d, curves);
+    CHECK(!curves.empty() && certificate.bounds_region && certificate.number_of_reversed_curves == 0);
+    const double allowed = curves.empty() ? 0 : curves.front().tolerance();
+    CHECK_DETAIL(certificate.tolerance <= allowed, values(certificate.tolerance, allowed));
+    // Without its curves, the region is not bounded by pinched vertices.
+    if (!curves.empty()) curves.pop_back();
+    const Certificate part = c.enclosure.certify_offset(d, curves);
+    CHECK_DETAIL(!part.bounds_region || part.tolerance > certificate.tolerance, values(part.tolerance, certificate.tolerance));
+  }
+}
+
+// Curves on both sides of a polyline, near to each other in a face.
+void thin_strips()
+{
+  const Generated_mesh<test::Surface_mesh> data(planar_grid(1, 1, Diagonals::backward));
+  Case c("thin strips", data.mesh);
+  const Face_location corners[] = {
+    {data.faces[0], {{0.6, 0.2, 0.2}}}, {data.faces[0], {{0.2, 0.6, 0.2}}}, {data.faces[0], {{0.2, 0.2, 0.6}}}};
+  c.geodesic.add_source_polyline(corners, CGAL::parameters::is_closed(true));
+  c.enclosure.add_source_polyline(corners, CGAL::parameters::is_closed(true));
+  c.build();
+  for (const double d : {1e-2, 1e-3, 3e-4, 1e-4}) check_ours(c, d);
+}
+
 // A source outside counts however near its start value is to the level, and so does a point that belongs to no piece. From an
 // attack.
 void outside_points()
@@ -664,6 +714,8 @@ GEODESIC_OFFSET_TEST(test_certified_offsets)
     {"sampled regions", sampled_regions},
     {"rounding of levels", rounding_of_levels},
     {"pinched vertices", pinched_vertices},
+    {"pinched vertices within tolerances", pinched_vertices_within_tolerances},
+    {"thin strips", thin_strips},
     {"outside points", outside_points},
     {"faults", faults},
     {"no region, and other sources", no_region_and_other_sources}};

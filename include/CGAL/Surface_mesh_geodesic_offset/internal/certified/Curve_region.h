@@ -49,7 +49,8 @@ public:
 
   explicit Curve_region(const Unfolded_mesh<double>& mesh) : m_mesh(mesh) {}
 
-  // Finds the sides. Returns false if the rules contradict each other, in the face conflict_face() or at one of its halfedges. `pinches`: vertices with several fans that are points of the curves, too: their fans may be on different sides.
+  // Finds the sides. Returns false if the rules contradict each other, in the face conflict_face() or at one of its halfedges.
+  // `pinches`: vertices with several fans that are points of the curves, too: their fans may be on different sides.
   bool set_pieces(const std::vector<Curve_piece>& pieces, const std::vector<Index>& pinches)
   {
     find_events(pieces);

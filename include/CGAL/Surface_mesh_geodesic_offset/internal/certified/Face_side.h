@@ -57,14 +57,19 @@ public:
     return place;
   }
 
-  // True if the region is on the right of a piece inside a face; false if this is unknown.
+  // True if the region is on the right of a piece inside a face; false if this is unknown. The point tested is as near to the piece as
+  // rounding allows: another piece may be next to it.
   bool is_right_of(const Curve_piece& piece)
   {
     const Double_double_2 m = piece.geometry.inner_point();
     const Point along = difference(piece.end, piece.start);
-    const Point left = 0x1p-10 * quarter_turn(along);
-    const Side side = (*this)(piece.face, {m.x + Double_double(left.x), m.y + Double_double(left.y)});
-    return side.is_known && m_region.is_inside(side.part) == side.differs;
+    for (double step = least_step; step <= largest_step; step *= 4)
+    {
+      const Point left = step * quarter_turn(along);
+      const Side side = (*this)(piece.face, {m.x + Double_double(left.x), m.y + Double_double(left.y)});
+      if (side.is_known) return m_region.is_inside(side.part) == side.differs;
+    }
+    return false;
   }
 
 private:
@@ -136,6 +141,8 @@ private:
 
   static Point rounded(const Double_double_2& p) { return {p.x.high, p.y.high}; }
 
+  // Distances of points from a piece, as parts of its chord: from that of rounding to one at which an arc is still straight.
+  static constexpr double least_step = 0x1p-46, largest_step = 0x1p-10;
   static constexpr int most_halvings = 40;    // hulls become narrower than rounding before
   static constexpr double rounding = 0x1p-46; // of coordinates and products, as a part of the face's size
 

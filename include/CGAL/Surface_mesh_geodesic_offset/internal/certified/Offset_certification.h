@@ -105,8 +105,8 @@ public:
   const Result& operator()()
   {
     if (m_result.limit != Limit::NONE || !check_ends()) return m_result;
-    const std::vector<Index> pinches = pinches_at_level();
-    if (!m_region.set_pieces(m_pieces, pinches))
+    std::vector<Index> pinches = pinches_at_level();
+    if (!m_region.set_pieces(m_pieces, pinches) && !add_pinches(pinches))
     {
       set_limit(Limit::NO_REGION, m_region.conflict_face(), m_sources.corner(m_region.conflict_face(), 0), {0., 0.}, no_curve);
       m_result.excess = Number_policy<double>::infinity();
@@ -227,6 +227,14 @@ private:
     m_bounds.drop_candidates(end);
   }
 
+  // How far the distance of a vertex may be from the level.
+  double excess(Index v) const { return (std::max)(m_distance - m_field.bounds.lower(v), upper(v) - m_distance); }
+
+  void sort_pinches(std::vector<Index>& pinches) const
+  {
+    std::stable_sort(pinches.begin(), pinches.end(), [&](Index v, Index w) { return upper(v) < upper(w); });
+  }
+
   // Pinched vertices whose bounds contain the level, ordered by their upper bounds. Where an offset touches such a vertex, it is a
   // single point, and no curve need pass it. The vertex is added to C, as it may separate the fans.
   std::vector<Index> pinches_at_level() const
@@ -239,8 +247,37 @@ private:
       if (unfolded.corner(v) == no_index || !unfolded.has_several_fans(v)) continue;
       if (m_field.bounds.lower(v) - m_distance <= rounding && m_distance - upper(v) <= rounding) result.push_back(v);
     }
-    std::stable_sort(result.begin(), result.end(), [&](Index v, Index w) { return upper(v) < upper(w); });
+    sort_pinches(result);
     return result;
+  }
+
+  // Curves within a tolerance may touch a pinched vertex whose distance is within that tolerance of the level. Adds to the pinches at
+  // the level those nearest to it, as few as needed for the curves to bound a region. Returns false if they do not with all of them.
+  bool add_pinches(std::vector<Index>& pinches)
+  {
+    const Unfolded_mesh<double>& unfolded = m_mesh.unfolded();
+    std::vector<Index> others;
+    for (Index v = 0; v < unfolded.number_of_vertices(); ++v)
+      if (unfolded.corner(v) != no_index && unfolded.has_several_fans(v) && !m_region.is_on_curve(v) &&
+          Number_policy<double>::is_finite(excess(v)))
+        others.push_back(v);
+    std::stable_sort(others.begin(), others.end(), [&](Index v, Index w) { return excess(v) < excess(w); });
+    const auto bounds_with = [&](std::size_t number) {
+      std::vector<Index> all = pinches;
+      all.insert(all.end(), others.begin(), others.begin() + std::ptrdiff_t(number));
+      return m_region.set_pieces(m_pieces, all);
+    };
+    if (others.empty() || !bounds_with(others.size())) return false;
+    std::size_t least = 0, enough = others.size(); // not enough; enough
+    while (enough - least > 1)
+    {
+      const std::size_t middle = least + (enough - least) / 2;
+      (bounds_with(middle) ? enough : least) = middle;
+    }
+    bounds_with(enough);
+    pinches.insert(pinches.end(), others.begin(), others.begin() + std::ptrdiff_t(enough));
+    sort_pinches(pinches);
+    return true;
   }
 
   void bound_pinch(Index v)
