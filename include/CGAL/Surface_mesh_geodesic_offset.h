@@ -326,43 +326,66 @@ public:
     return Geodesic_offset::internal::add_checked(data(), m_sources, set);
   }
 
+  /// Overload for a set with another number type, which is converted.
+  template <class Number>
+  std::vector<std::size_t> add_sources(const Geodesic_source_set<Triangle_mesh, Number>& set)
+  {
+    return add_sources(Source_set(set));
+  }
+
   /// adds the boundary of the surface: one source, a set of edges, per boundary cycle. Edges without a face are left out. Takes
   /// time linear in the size of the mesh.
+  /// \param np as for a vertex; the start value is that of all cycles
   /// \return the ids of the sources; no ids if the surface has no boundary
-  std::vector<std::size_t> add_source_boundary()
+  /// \throws std::invalid_argument if the start value is not a finite number or is negative.
+  template <class T = bool, class Tag = internal_np::all_default_t, class Base = internal_np::No_property>
+  std::vector<std::size_t> add_source_boundary(const Named_function_parameters<T, Tag, Base>& np = parameters::default_values())
   {
     Source_set set;
-    for (const std::vector<edge_descriptor>& cycle : m_mesh.boundary_edges()) set.add_edges(cycle);
+    for (const std::vector<edge_descriptor>& cycle : m_mesh.boundary_edges()) set.add_edges(cycle, np);
     return add_sources(set);
   }
 
   /// adds one boundary cycle, that of a border halfedge: a set of edges. Edges without a face are left out.
-  /// \throws std::invalid_argument if the halfedge is not a border halfedge, if it is null, removed or of another mesh, or if no
-  ///         edge of the cycle has a face.
-  std::size_t add_source_boundary(halfedge_descriptor border) { return add_source_edges(m_mesh.boundary_edges(border)); }
+  /// \param border the halfedge
+  /// \param np as for a vertex
+  /// \throws std::invalid_argument if the halfedge is not a border halfedge, if it is null, removed or of another mesh, if no
+  ///         edge of the cycle has a face, or if the start value is not a finite number or is negative.
+  template <class NamedParameters = parameters::Default_named_parameters>
+  std::size_t add_source_boundary(halfedge_descriptor border, const NamedParameters& np = parameters::default_values())
+  {
+    return add_source_edges(m_mesh.boundary_edges(border), np);
+  }
 
   /// adds the edges that `sharp_edges()` finds, as one source.
+  /// \param angle as for `sharp_edges()`
+  /// \param np as for a vertex
   /// \return the id of the source; empty if there is no such edge
-  /// \throws std::invalid_argument as `sharp_edges()` does.
-  std::optional<std::size_t> add_source_sharp_edges(double angle)
+  /// \throws std::invalid_argument as `sharp_edges()` does, or if the start value is not a finite number or is negative.
+  template <class NamedParameters = parameters::Default_named_parameters>
+  std::optional<std::size_t> add_source_sharp_edges(double angle, const NamedParameters& np = parameters::default_values())
   {
     std::vector<edge_descriptor> edges;
     sharp_edges(angle, std::back_inserter(edges));
     if (edges.empty()) return std::nullopt;
-    return add_source_edges(edges);
+    return add_source_edges(edges, np);
   }
 
   /// adds the section of the mesh by a plane: each polyline of the section; the edges that the plane only touches, as one set of
   /// edges, which has no sides; and each vertex that the plane only touches.
+  /// \param plane the plane
+  /// \param np as for a vertex; the start value is that of all these sources
   /// \return the ids of these sources, in this order; no ids if the plane misses the mesh.
-  /// \throws std::invalid_argument as `plane_section()` does.
-  std::vector<std::size_t> add_source_plane_section(const Plane_3& plane)
+  /// \throws std::invalid_argument as `plane_section()` does, or if the start value is not a finite number or is negative.
+  template <class NamedParameters = parameters::Default_named_parameters>
+  std::vector<std::size_t> add_source_plane_section(const Plane_3& plane,
+                                                    const NamedParameters& np = parameters::default_values())
   {
     const Plane_section section = plane_section(plane);
     Source_set set;
-    for (const auto& polyline : section.polylines) set.add_polyline(polyline);
-    if (!section.touched_edges.empty()) set.add_edges(section.touched_edges);
-    for (const vertex_descriptor v : section.touched_vertices) set.add_vertex(v);
+    for (const auto& polyline : section.polylines) set.add_polyline(polyline, np);
+    if (!section.touched_edges.empty()) set.add_edges(section.touched_edges, np);
+    for (const vertex_descriptor v : section.touched_vertices) set.add_vertex(v, np);
     return add_sources(set);
   }
 

@@ -16,8 +16,11 @@
 #include <CGAL/Surface_mesh_geodesic_offset/Surface_mesh_geodesic_enclosure.h>
 #include <CGAL/Surface_mesh_geodesic_offset/geodesic_distances.h>
 
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iostream>
 #include <limits>
 #include <stdexcept>
@@ -523,6 +526,67 @@ void tolerances()
   CHECK(nearer > 0);
 }
 
+// The functions that find their sources themselves add the start value to the distances of all of them.
+void found_sources()
+{
+  Report::instance().set_context("start values of found sources");
+  const Generated_mesh<Surface_mesh> data(cube_grid(3)), open(planar_grid(4, 3, Diagonals::alternating));
+  const Surface_mesh::Halfedge_index border =
+    halfedge(*std::find_if(open.mesh.edges().begin(), open.mesh.edges().end(),
+                           [&](Surface_mesh::Edge_index e) { return is_border(e, open.mesh); }),
+             open.mesh);
+  const auto start = CGAL::parameters::start_value(1.5);
+  typedef std::function<void(Geodesic&, bool)> Add;
+  const std::pair<const Surface_mesh*, Add>
+    cases[] = {{&data.mesh,
+                [&](Geodesic& g, bool s) { s ? g.add_source_sharp_edges(60, start) : g.add_source_sharp_edges(60); }},
+               {&data.mesh,
+                [&](Geodesic& g, bool s) {
+    const Geodesic::Plane_3 plane(0.25, 1, 0.5, -0.6);
+    s ? g.add_source_plane_section(plane, start) : g.add_source_plane_section(plane);
+                }},
+               {&data.mesh,
+                [&](Geodesic& g, bool s) { // touches vertices and edges
+    const Geodesic::Plane_3 plane(0, 0, 1, 0);
+    s ? g.add_source_plane_section(plane, start) : g.add_source_plane_section(plane);
+                }},
+    {&open.mesh, [&](Geodesic& g, bool s) { s ? g.add_source_boundary(start) : g.add_source_boundary(); }},
+    {&open.mesh, [&](Geodesic& g, bool s) {
+       const auto h = is_border(border, open.mesh) ? border : opposite(border, open.mesh);
+       s ? g.add_source_boundary(h, start) : g.add_source_boundary(h);
+     }}};
+  for (const auto& [mesh, add] : cases)
+  {
+    Geodesic with(*mesh), without(*mesh);
+    add(with, true);
+    add(without, false);
+    CHECK(with.number_of_sources() > 0);
+    with.build();
+    without.build();
+    for (const auto v : mesh->vertices())
+    {
+      const double d = with.distance_to_sources(v), expected = 1.5 + without.distance_to_sources(v);
+      CHECK_DETAIL(std::abs(d - expected) <= tolerance(expected, 1), values(d, expected));
+    }
+  }
+}
+
+// Sets and start values of other number types are converted.
+void other_number_types()
+{
+  Report::instance().set_context("start values of other number types");
+  const Generated_mesh<Surface_mesh> data(icosphere(1));
+  typedef CGAL::Exact_predicates_exact_constructions_kernel::FT Exact;
+  CGAL::Geodesic_source_set<Surface_mesh, Exact> set;
+  set.add_vertex(data.vertices[3], CGAL::parameters::start_value(Exact(1) / Exact(3)));
+  Geodesic geodesic(data.mesh);
+  CHECK(geodesic.add_sources(set).size() == 1);
+  geodesic.add_source_point(data.vertices[5], CGAL::parameters::start_value(Exact(0.25)));
+  geodesic.build();
+  CHECK(std::abs(geodesic.distance_to_sources(data.vertices[3]) - 1. / 3) <= 1e-16);
+  CHECK(geodesic.distance_to_sources(data.vertices[5]) == 0.25);
+}
+
 void bad_values()
 {
   Report::instance().set_context("bad start values");
@@ -565,6 +629,8 @@ GEODESIC_OFFSET_TEST(test_start_values)
     {"equal distances", test_start_values::equal_distances},
     {"far apart", test_start_values::far_apart},
     {"tolerances", test_start_values::tolerances},
+    {"found sources", test_start_values::found_sources},
+    {"other number types", test_start_values::other_number_types},
     {"bad values", test_start_values::bad_values}};
   const int result = run_tests("test_start_values", tests);
   const auto& t = test_start_values::totals;

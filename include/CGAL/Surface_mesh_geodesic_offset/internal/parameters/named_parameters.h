@@ -12,6 +12,8 @@
 #error "The include path must have the folder of Surface_mesh_geodesic_offset before that of CGAL."
 #endif
 
+#include <CGAL/NT_converter.h>
+
 #include <type_traits>
 
 namespace CGAL {
@@ -107,7 +109,8 @@ template <class FT, class Tags = Source_parameters, class NamedParameters>
 FT start_value_of(const NamedParameters& np)
 {
   check_named_parameters<Tags, NamedParameters>();
-  return FT(parameters::choose_parameter(parameters::get_parameter(np, internal_np::geodesic_start_value), FT(0)));
+  const auto value = parameters::choose_parameter(parameters::get_parameter(np, internal_np::geodesic_start_value), FT(0));
+  return NT_converter<std::decay_t<decltype(value)>, FT>()(value);
 }
 
 // True if the last point of a polyline is joined to the first one.
