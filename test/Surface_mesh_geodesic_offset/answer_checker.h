@@ -76,9 +76,9 @@ public:
   typedef long double Number;
   typedef std::array<Number, 3> Point;
 
-  /// `is_flat`: the mesh is a convex part of the plane z = 0. `is_close`: sources and points may be nearer to vertices and edges than
-  /// coordinates tell, and than points in space do: two coordinates of a source of up to 1e-13 are taken for zero, and consecutive
-  /// locations of a path may be one point in space.
+  /// `is_flat`: the mesh is a convex part of the plane z = 0. `is_close`: sources and points may be nearer to vertices and
+  /// edges than coordinates tell, and than points in space do: two coordinates of a source of up to 1e-13 are taken for zero,
+  /// and consecutive locations of a path may be one point in space.
   Answer_checker(const Surface_mesh& mesh, bool is_flat, bool is_close = false)
     : mesh_(mesh), is_flat_(is_flat), is_close_(is_close), locations_(mesh)
   {
@@ -94,16 +94,16 @@ public:
   /// A path is as long as the distance up to this part of the distance. Distances in the plane are right up to this part of the
   /// distance plus the longest edge.
   static constexpr double tolerance = 1e-12;
-  /// Nearer than this part of the scale, the rounding of the points of a path exceeds the tolerance. Its length then has in addition
-  /// an error of some roundings of the scale, which is the largest coordinate, or the longest edge if it is larger; and where it
-  /// passes many edges, of some for each point.
+  /// Nearer than this part of the scale, the rounding of the points of a path exceeds the tolerance. Its length then has in
+  /// addition an error of some roundings of the scale, which is the largest coordinate, or the longest edge if it is larger;
+  /// and where it passes many edges, of some for each point.
   static constexpr double near_part = 1e-3, near_roundings = 8, roundings_per_point = 0.25, unit_roundoff = 1. / (1ull << 53);
 
   double longest_edge() const { return longest_edge_; }
   const Locations<Surface_mesh>& locations() const { return locations_; }
 
-  /// The worst errors: of path lengths, relative to the distance; of those of near points, in roundings of the scale; of distances in
-  /// the plane, relative to the distance plus the longest edge.
+  /// The worst errors: of path lengths, relative to the distance; of those of near points, in roundings of the scale; of
+  /// distances in the plane, relative to the distance plus the longest edge.
   double worst_length = 0, worst_near_length = 0, worst_distance = 0;
   std::size_t number_of_points = 0;
 

@@ -310,7 +310,8 @@ private:
     return soup;
   }
 
-  /// Square whose triangles are split, mostly at its first corner and near to it: thin triangles, with short edges beside long ones.
+  /// Square whose triangles are split, mostly at its first corner and near to it: thin triangles, with short edges beside long
+  /// ones.
   Soup graded_corner(std::size_t splits, double bending)
   {
     const double weight = std::pow(10, uniform(random_, 0, 1.5));

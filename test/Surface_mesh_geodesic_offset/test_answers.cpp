@@ -139,7 +139,8 @@ void known_cases()
   run(Answer_search::BESIDE, {2100017232});
 }
 
-// Polylines with steps inside a face or along an edge, in units of 2^-53 of the perimeter of the face: up to 16 units they are points.
+// Polylines with steps inside a face or along an edge, in units of 2^-53 of the perimeter of the face: up to 16 units they are
+// points.
 void polylines_of_one_point()
 {
   test::Surface_mesh mesh;

@@ -164,8 +164,8 @@ std::size_t check_rectangle(unsigned seed)
   return 1;
 }
 
-// An edge far shorter than the rounding of a point of its faces as the source, and a vertex beside it, as far from it as it is long.
-// The nearest point is inside the edge.
+// An edge far shorter than the rounding of a point of its faces as the source, and a vertex beside it, as far from it as it is
+// long. The nearest point is inside the edge.
 void check_short_edges()
 {
   for (double size = 1e-10; size > 1e-40; size /= 7)

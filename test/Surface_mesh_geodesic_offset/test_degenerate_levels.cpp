@@ -499,8 +499,8 @@ std::vector<Polyline_beside_edge> polylines_beside_edges()
      2.38735}};
 }
 
-// A strip over source edges, a corner of which is beyond the end of these edges. The level is that of the end of the opposite edge up
-// to rounding, but passes before the corner, which is farther.
+// A strip over source edges, a corner of which is beyond the end of these edges. The level is that of the end of the opposite
+// edge up to rounding, but passes before the corner, which is farther.
 void corner_beyond_an_end()
 {
   for (const double height : {1e-7, 1.5e-8, 2e-9})
@@ -632,8 +632,8 @@ std::vector<Narrow_offset> narrow_offsets()
      0.84}};
 }
 
-// Levels a few times the least offset above the distance zero: the two sides of the offset are nearer to each other than the largest
-// ties. All points of the curves are on the level nevertheless.
+// Levels a few times the least offset above the distance zero: the two sides of the offset are nearer to each other than the
+// largest ties. All points of the curves are on the level nevertheless.
 void sides_near_each_other()
 {
   for (const Narrow_offset& n : narrow_offsets())
@@ -730,7 +730,8 @@ void levels_that_are_no_distances()
   CHECK(curves.empty());
 }
 
-// Circles around single points, down to 2^-36 of the longest edge around them: one curve, of its length within rounding of that edge.
+// Circles around single points, down to 2^-36 of the longest edge around them: one curve, of its length within rounding of that
+// edge.
 void tiny_circles()
 {
   for (int exponent = 6; exponent <= 36; exponent += 2)

@@ -258,8 +258,8 @@ void ends_in_corner_of_nearly_half_a_turn()
   }
 }
 
-// Points next to edges of flat ribbons, whose start values are next to their distances from another source. The distance is that of the
-// nearest source in the plane. From an attack: rays through the edge next to such a point were lost.
+// Points next to edges of flat ribbons, whose start values are next to their distances from another source. The distance is
+// that of the nearest source in the plane. From an attack: rays through the edge next to such a point were lost.
 void points_beside_edges_of_ribbons()
 {
   struct Source

@@ -699,9 +699,8 @@ void segment_along_edge_and_others()
   CHECK(std::abs(geodesic.distance_to_sources(data.vertices[9]) - expected) <= 1e-14);
 }
 
-// NaN in coordinates of a source is rejected.
-// A thin strip, on which a far image and a vertex next to another vertex tie there, with directions that differ by 6e-5. The first case
-// is from an attack; the others have other heights and gaps.
+// NaN in coordinates of a source is rejected. A thin strip, on which a far image and a vertex next to another vertex tie there,
+// with directions that differ by 6e-5. The first case is from an attack; the others have other heights and gaps.
 void tie_with_a_near_image()
 {
   const double points[][3] = {

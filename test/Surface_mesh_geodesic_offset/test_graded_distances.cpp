@@ -406,8 +406,8 @@ void large_places()
   }
 }
 
-// Columns of points with a border at their end, in a planar mesh with far longer edges beside them. Each point is next to its image,
-// measured by these edges: if it starts rays for that reason, the windows on an edge double from row to row.
+// Columns of points with a border at their end, in a planar mesh with far longer edges beside them. Each point is next to its
+// image, measured by these edges: if it starts rays for that reason, the windows on an edge double from row to row.
 void columns_of_points()
 {
   Random random(7);
@@ -536,8 +536,8 @@ void touching_fans()
                values(geodesic.distance_to_sources(v[0]), 0x1p-12));
 }
 
-// The start value of a source vertex is next to its distance from another source, whose distance in double is rounded below. From an
-// attack.
+// The start value of a source vertex is next to its distance from another source, whose distance in double is rounded below.
+// From an attack.
 void start_value_of_graded_vertex()
 {
   for (int i = 1; i < 200; ++i)

@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Calls that documented exceptions answer, and that leave objects as they were: null and removed elements, locations that are not valid,
-// moved-from diagrams, ranges that throw midway, builds inside a check, start values and spacings beyond the range of numbers,
-// meshes without faces, isolated vertices.
+// Calls that documented exceptions answer, and that leave objects as they were: null and removed elements, locations that are
+// not valid, moved-from diagrams, ranges that throw midway, builds inside a check, start values and spacings beyond the range
+// of numbers, meshes without faces, isolated vertices.
 
 #include "generated_meshes.h"
 #include "geodesic_types.h"

@@ -275,8 +275,8 @@ void boxes()
     }
 }
 
-// On a cone, one source in each sector, at equal distances from the apex: the bisectors are the legs. Two other sources: distances by
-// the law of cosines.
+// On a cone, one source in each sector, at equal distances from the apex: the bisectors are the legs. Two other sources:
+// distances by the law of cosines.
 void cones()
 {
   for (const double angle : {1.3 * CGAL_PI, 1.8 * CGAL_PI, 2.6 * CGAL_PI})
@@ -510,8 +510,8 @@ void curves_beside_vertices()
   }
 }
 
-// Faces of very different sizes along a straight border: a source on its line lies in line with edges up to rounding of coordinates, so no
-// cone of a window reaches these edges.
+// Faces of very different sizes along a straight border: a source on its line lies in line with edges up to rounding of
+// coordinates, so no cone of a window reaches these edges.
 void graded_grids()
 {
   for (unsigned seed = 1; seed <= 60; ++seed)
@@ -549,8 +549,8 @@ void graded_grids()
   }
 }
 
-// A strip of which the upper border is in line with a source up to rounding of its coordinates, that of the sums of edges. There were four
-// curves along the border before, of points 0.8 off.
+// A strip of which the upper border is in line with a source up to rounding of its coordinates, that of the sums of edges.
+// There were four curves along the border before, of points 0.8 off.
 void graded_strip()
 {
   Surface_mesh mesh;
@@ -567,8 +567,8 @@ void graded_strip()
           {[&](Geodesic& g) { g.add_source_point(v[1]); }, [&](Geodesic& g) { g.add_source_point(v[8]); }}, random, 100);
 }
 
-// Two sources within 1e-15 to 1e-12 of each other, among others: the curve between them is known up to a large angle only, but at its
-// vertices with a third cell both distances agree.
+// Two sources within 1e-15 to 1e-12 of each other, among others: the curve between them is known up to a large angle only, but
+// at its vertices with a third cell both distances agree.
 void sources_beside_each_other()
 {
   Random random(23);
@@ -771,8 +771,8 @@ void needle_strips()
   }
 }
 
-// The cells of three vertices of a strip meet in the middle of a long edge up to rounding, where the curve between two of them leaves
-// its face at a small angle.
+// The cells of three vertices of a strip meet in the middle of a long edge up to rounding, where the curve between two of them
+// leaves its face at a small angle.
 void cells_that_meet_on_an_edge()
 {
   Random random(31);
@@ -876,8 +876,8 @@ void ties_on_a_ray()
       }
 }
 
-// A polyline ties at its end only, which is the center of a face: the face belongs to the edge that is nearer everywhere else, unless
-// rounding lets the polyline be nearer in a lens around the last segment.
+// A polyline ties at its end only, which is the center of a face: the face belongs to the edge that is nearer everywhere else,
+// unless rounding lets the polyline be nearer in a lens around the last segment.
 void tie_at_a_center()
 {
   Surface_mesh mesh;
@@ -983,8 +983,8 @@ std::vector<Soup> symmetric_soups()
   return {octahedron, cube_grid(1), cube_grid(2), icosphere(0), planar_grid(2, 2)};
 }
 
-// Polylines that start at one vertex and run along parts of the edges there: bisectors run along other edges and along medians of faces,
-// on which windows of three sources tie, and touch them.
+// Polylines that start at one vertex and run along parts of the edges there: bisectors run along other edges and along medians
+// of faces, on which windows of three sources tie, and touch them.
 void parts_of_edges_at_a_vertex()
 {
   Random random(6);
@@ -1018,8 +1018,8 @@ void parts_of_edges_at_a_vertex()
   }
 }
 
-// Sources that share edges, or parts of them, and go on along other ones, in line or not; with start values that differ by rounding, and on
-// meshes perturbed by rounding.
+// Sources that share edges, or parts of them, and go on along other ones, in line or not; with start values that differ by
+// rounding, and on meshes perturbed by rounding.
 void shared_segments()
 {
   { // an edge of a source that another one has, too, and its next edge in line with it
@@ -1073,8 +1073,8 @@ void shared_segments()
   }
 }
 
-// A source and a vertex whose start value is its distance from this source, so that they tie on the rays behind the vertex: along edges
-// of a box, and in faces.
+// A source and a vertex whose start value is its distance from this source, so that they tie on the rays behind the vertex:
+// along edges of a box, and in faces.
 void start_value_of_distance()
 {
   Random random(7);
@@ -1410,8 +1410,8 @@ void thin_faces()
   CHECK(totals.forced == 0);
 }
 
-// Small loops around the center of a face are found with twice the digits. One within rounding leaves no part of its cell in the split
-// mesh.
+// Small loops around the center of a face are found with twice the digits. One within rounding leaves no part of its cell in
+// the split mesh.
 void small_loops()
 {
   for (const double radius : {1e-7, 1e-8, 1e-9, 1e-16})

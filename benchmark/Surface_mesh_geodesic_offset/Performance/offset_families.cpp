@@ -6,8 +6,9 @@
 //
 //   offset_families MESH [number of distances ...] [--validate]        default: 1 20 200
 //
-// Without a file of the name MESH, `torus` is the wavy torus of some 131,000 vertices. With TBB, there is a second table for all threads.
-// With --validate, the oracle of the tests checks all curves of the last family; the exit code is 1 if it finds a fault.
+// Without a file of the name MESH, `torus` is the wavy torus of some 131,000 vertices. With TBB, there is a second table for
+// all threads. With --validate, the oracle of the tests checks all curves of the last family; the exit code is 1 if it finds a
+// fault.
 
 #include "measured_run.h"
 #include "plane_section.h"

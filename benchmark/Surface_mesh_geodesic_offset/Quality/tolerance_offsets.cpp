@@ -1,10 +1,10 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Offsets within relative tolerances, as a Markdown table: one line for each mesh and tolerance, with the first vertex as source, at
-// levels that divide the largest distance of a vertex into equal parts. certify_offset() proves how far the regions that the
-// curves bound are off the exact ones, as a part of the tolerance of the curves. Times are medians of interleaved runs, of
-// propagation and cutting in one pass, relative to the exact offsets.
+// Offsets within relative tolerances, as a Markdown table: one line for each mesh and tolerance, with the first vertex as
+// source, at levels that divide the largest distance of a vertex into equal parts. certify_offset() proves how far the regions
+// that the curves bound are off the exact ones, as a part of the tolerance of the curves. Times are medians of interleaved
+// runs, of propagation and cutting in one pass, relative to the exact offsets.
 //
 //   tolerance_offsets [--levels N] [--repeat N] MESH...
 //

@@ -11,9 +11,9 @@
 // repeats a case.
 //
 // Faults, then a table by kind on stdout: queries, points of paths, queries with a fault, by kind of fault, exceptions, joined
-// polylines with a fault, and the largest errors: of path lengths relative to the distance; of those of near points, in roundings of the
-// largest coordinate; of distances in the plane, relative to the distance plus the longest edge. The exit code is 1 if there is a
-// fault, and 2 for options that are wrong.
+// polylines with a fault, and the largest errors: of path lengths relative to the distance; of those of near points, in
+// roundings of the largest coordinate; of distances in the plane, relative to the distance plus the longest edge. The exit code
+// is 1 if there is a fault, and 2 for options that are wrong.
 
 #include "answer_search.h"
 #include "search_options.h"

@@ -4,7 +4,8 @@
 // Search for certified bounds that exclude the distance, on small meshes, by an independent reference with 113 bits; also
 // the widths of the bounds.
 //
-//   certified_search [--seed N] [--meshes N] [--general | --segments] [--kind NAME] [--printed N] [--write PREFIX] [OFF_FILE VERTEX]...
+//   certified_search [--seed N] [--meshes N] [--general | --segments] [--kind NAME] [--printed N] [--write PREFIX] [OFF_FILE
+//   VERTEX]...
 //
 // Case i has seed N + i, which determines its mesh, sources and queries; so `--seed N --meshes 1` repeats a case. The
 // meshes are adversarial, or general ones with --general; with --segments, the sources of adversarial meshes are segments with

@@ -9,8 +9,9 @@
 //
 // Case i has seed N + i, which determines its mesh, sources and queries; so `--seed N --meshes 1` repeats a case.
 //
-// Output: wrong distances, then a table by kind: meshes, queries, wrong ones, meshes with wrong ones, the largest error relative
-// to the distance plus the longest edge, and to the distance plus the longest edge near by. The exit code is 1 if a distance is wrong, and 2 for wrong options.
+// Output: wrong distances, then a table by kind: meshes, queries, wrong ones, meshes with wrong ones, the largest error
+// relative to the distance plus the longest edge, and to the distance plus the longest edge near by. The exit code is 1 if a
+// distance is wrong, and 2 for wrong options.
 
 #include "near_vertex_search.h"
 #include "search_options.h"

@@ -295,13 +295,13 @@ public:
   /// distance limit of the build, give no curves. If the build had a tolerance, so have the curves, see
   /// `Geodesic_offset_curve::tolerance()`.
   ///
-  /// Takes time linear in the size of the mesh and of the curves; in each face, quadratic in the number of windows that reach the
-  /// distance, and up to cubic if they start at sources that cross each other. Hundreds of source segments in one face take seconds:
-  /// subdivide such a face first.
+  /// Takes time linear in the size of the mesh and of the curves; in each face, quadratic in the number of windows that reach
+  /// the distance, and up to cubic if they start at sources that cross each other. Hundreds of source segments in one face take
+  /// seconds: subdivide such a face first.
   /// \param levels a distance, a range of distances, or an `Offset_levels` object
   /// \param out an output iterator for `Offset_curve`; curves come by increasing distance
-  /// \param np an optional sequence of named parameters among those listed below, with the meaning and the defaults that they have in
-  ///        `Surface_mesh_geodesic_offset::build_with_offset_curves()`
+  /// \param np an optional sequence of named parameters among those listed below, with the meaning and the defaults that they
+  ///        have in `Surface_mesh_geodesic_offset::build_with_offset_curves()`
   ///
   /// \cgalNamedParamsBegin
   ///   \cgalParamNBegin{offset_side}
@@ -345,9 +345,10 @@ public:
   /// @{
 
   /// computes the exact Voronoi diagram of the sources, from kept windows. The time is linear in the size of the mesh and the
-  /// number of kept windows, plus \f$ O(n^3) \f$ in each crossed face for the \f$ n \f$ windows that may be nearest there; faces
-  /// with more than 12 of them are divided. If rounding makes bisectors inconsistent, the whole diagram is computed again with twice
-  /// the digits of `double`. The distances agree on both sides of the curves up to rounding; see `Geodesic_voronoi_diagram` for its limits.
+  /// number of kept windows, plus \f$ O(n^3) \f$ in each crossed face for the \f$ n \f$ windows that may be nearest there;
+  /// faces with more than 12 of them are divided. If rounding makes bisectors inconsistent, the whole diagram is computed again
+  /// with twice the digits of `double`. The distances agree on both sides of the curves up to rounding; see
+  /// `Geodesic_voronoi_diagram` for its limits.
   /// \throws std::logic_error if the build kept no windows, or had a tolerance, or `covered_distance()` is finite
   Voronoi_diagram voronoi_diagram() const
   {

@@ -297,8 +297,9 @@ public:
     return label == Geodesic_offset::internal::no_index ? Geodesic_offset::internal::no_source_label : std::size_t(label);
   }
 
-  /// the id of the source in whose cell a point lies: the nearest one; of those that tie, any. `Geodesic_distance_field::no_source()` if
-  /// no path reaches the point. The time is linear in the number of windows in the face.
+  /// the id of the source in whose cell a point lies: the nearest one; of those that tie, any.
+  /// `Geodesic_distance_field::no_source()` if no path reaches the point. The time is linear in the number of windows in the
+  /// face.
   /// \throws std::invalid_argument if the location is not valid
   std::size_t source_at(const Face_location& location) const
   {
@@ -314,8 +315,8 @@ public:
   }
 
 #ifndef DOXYGEN_RUNNING
-  // For splits: sources of a point of a part of a face, given by its barycentric coordinates, that are not farther than the nearest one by
-  // more than `within`, the nearest first. A face that no curve crosses is one part, with one source.
+  // For splits: sources of a point of a part of a face, given by its barycentric coordinates, that are not farther than the
+  // nearest one by more than `within`, the nearest first. A face that no curve crosses is one part, with one source.
   std::vector<std::size_t> sources_of_part(face_descriptor f, const std::array<double, 3>& weights, double within) const
   {
     const auto* const cells = cells_of(f);
@@ -326,9 +327,9 @@ public:
 #endif
   /// @}
 
-  /// \name Vertices
-  /// Points where three or more curves end: between three or more sources, or between two, as where two polylines cross. Where more than
-  /// three cells meet up to rounding, there may be several vertices at one point, with curves between them.
+  /// \name Vertices Points where three or more curves end: between three or more sources, or between two, as where two
+  /// polylines cross. Where more than three cells meet up to rounding, there may be several vertices at one point, with curves
+  /// between them.
   /// @{
 
   /// the number of vertices.
@@ -362,8 +363,8 @@ public:
   /// \name Diagnosis
   /// @{
 
-  /// the number of parts of faces, larger than rounding, in which curves do not fit together. They are crossed straight, so a curve may
-  /// be wrong there. 0 in general.
+  /// the number of parts of faces, larger than rounding, in which curves do not fit together. They are crossed straight, so a
+  /// curve may be wrong there. 0 in general.
   std::size_t number_of_forced_cells() const { return diagram().forced_cells; }
   /// @}
 

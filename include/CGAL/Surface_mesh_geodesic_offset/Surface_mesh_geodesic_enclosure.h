@@ -201,10 +201,10 @@ public:
   /// \name Building
   /// @{
 
-  /// computes the bounds for the sources added so far. Without any source, all points are at infinity. In the worst case
-  /// O(n^2) windows are propagated; on most meshes their number grows like n^1.5. Runs on the calling thread.
-  /// Other parameters, such as a distance limit or a tolerance, do not compile: the bounds are always those of the whole surface, as
-  /// tight as the algorithm gives them.
+  /// computes the bounds for the sources added so far. Without any source, all points are at infinity. In the worst case O(n^2)
+  /// windows are propagated; on most meshes their number grows like n^1.5. Runs on the calling thread. Other parameters, such
+  /// as a distance limit or a tolerance, do not compile: the bounds are always those of the whole surface, as tight as the
+  /// algorithm gives them.
   /// \param np an optional named parameter
   ///
   /// \cgalNamedParamsBegin
@@ -279,9 +279,9 @@ public:
   /// (see `locate_polyline()`). \ref SurfaceMeshGeodesicOffsetErrorOffsets has the proof.
   ///
   /// All curves together bound the region: a point is inside if an even number of curves separates it from the sources. An open
-  /// curve must end at the border, or exactly where another open curve ends; if these ends are on an edge, their locations must be
-  /// in the same face. A vertex at `distance`, up to rounding, that several fans share counts as a point of the curves: where an offset
-  /// touches it, the offset is this point, and has no curve there.
+  /// curve must end at the border, or exactly where another open curve ends; if these ends are on an edge, their locations must
+  /// be in the same face. A vertex at `distance`, up to rounding, that several fans share counts as a point of the curves:
+  /// where an offset touches it, the offset is this point, and has no curve there.
   ///
   /// Points of polylines are classified as sources are, and joined by straight segments in their faces. Offset curves are taken
   /// as arcs; where pieces are a rounding apart, the tolerance includes it.

@@ -100,7 +100,8 @@ void split_along_geodesic_voronoi_diagram(TriangleMesh& tm, const VoronoiDiagram
   splitting.triangulate();
   constexpr bool has_sources = internal::has_parameter<internal_np::geodesic_face_source_t, NamedParameters>;
   std::map<std::vector<std::size_t>, std::size_t> number_of; // of lists of sources
-  // Beside a curve, chords leave points of the other cell in a face, up to the tolerance: each of the two distances changes by that.
+  // Beside a curve, chords leave points of the other cell in a face, up to the tolerance: each of the two distances changes by
+  // that.
   if constexpr (has_sources)
     splitting.find_sources([&](const auto f, const std::array<double, 3>& w) {
       return number_of.emplace(diagram.sources_of_part(f, w, 2 * lengths.chord_tolerance), number_of.size()).first->second;

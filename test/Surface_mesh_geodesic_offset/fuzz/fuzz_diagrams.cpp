@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// libFuzzer test of Voronoi diagrams, and of meshes split along them or along offsets, on small meshes, from sources of all kinds
-// with start values: points of curves, and of faces of the split meshes, against the distances from each source alone. Faces flatter
-// than 2^-10 are skipped.
+// libFuzzer test of Voronoi diagrams, and of meshes split along them or along offsets, on small meshes, from sources of all
+// kinds with start values: points of curves, and of faces of the split meshes, against the distances from each source alone.
+// Faces flatter than 2^-10 are skipped.
 
 #include "../offset_tools.h"
 #include "fuzz_sources.h"

@@ -149,8 +149,8 @@ public:
   std::vector<Certified_source_vertex> vertices; // by their indices
   std::vector<Certified_source> in_faces;        // sorted by face
   double least_start_value = Number_policy<double>::infinity();
-  // By which a distance may be shorter than all windows and vertices tell: see loss_beside_vertex(), and by half the longest segment
-  // that has no windows.
+  // By which a distance may be shorter than all windows and vertices tell: see loss_beside_vertex(), and by half the longest
+  // segment that has no windows.
   double loss = 0;
 
   // Calls f(source) for the sources in a face.

@@ -57,8 +57,8 @@ public:
     return place;
   }
 
-  // True if the region is on the right of a piece inside a face; false if this is unknown. The point tested is as near to the piece as
-  // rounding allows: another piece may be next to it.
+  // True if the region is on the right of a piece inside a face; false if this is unknown. The point tested is as near to the
+  // piece as rounding allows: another piece may be next to it.
   bool is_right_of(const Curve_piece& piece)
   {
     const Double_double_2 m = piece.geometry.inner_point();

@@ -8,9 +8,9 @@
 // points that an even number of curves separates from the sources. A component that is connected to the sources only through
 // pinched vertices may count as inside or as outside: both choices satisfy the proof.
 //
-// {D < d - eps} is inside R: a shortest path to a point p outside of R starts at a source, in R, so it meets C. D grows along the
-// path, so D(p) is at least the minimum of D on C. Thus it is enough that D >= d - eps on C, and that all sources are in R. A source
-// with the start value s outside of R needs eps >= d - s, as D is at least s on all paths from it.
+// {D < d - eps} is inside R: a shortest path to a point p outside of R starts at a source, in R, so it meets C. D grows along
+// the path, so D(p) is at least the minimum of D on C. Thus it is enough that D >= d - eps on C, and that all sources are in R.
+// A source with the start value s outside of R needs eps >= d - s, as D is at least s on all paths from it.
 //
 // R is inside {D <= d + eps}: D has a largest value on R, which is compact. The point where it is taken is on C, or on a part of
 // an edge in R, or it is in the interior of a face and of R, and so a local maximum of D. It is enough to bound D on C, on these
@@ -80,8 +80,9 @@ public:
     return true;
   }
 
-  // A piece of an offset curve. `from`, `to`: its ends on the surface. Consecutive pieces must meet within `joint_tolerance`. The end
-  // of the earlier piece becomes the joint, and the gap between both counts as uncertainty of the points of the later piece.
+  // A piece of an offset curve. `from`, `to`: its ends on the surface. Consecutive pieces must meet within `joint_tolerance`.
+  // The end of the earlier piece becomes the joint, and the gap between both counts as uncertainty of the points of the later
+  // piece.
   struct Arc
   {
     Index face;
@@ -145,8 +146,8 @@ private:
   // Resolution of the tolerance, as a fraction of the distance plus the size of a face: the tolerance exceeds the smallest one that
   // the bounds of points prove by at most this. It is twice the error of the bounds of a point.
   static constexpr double resolution = 0x1p-45;
-  // Relative uncertainty of the level d: the package cuts the offset at d (1 - 2^-42). Binding tests: test_certified_offsets, rounding of
-  // levels, pinched vertices.
+  // Relative uncertainty of the level d: the package cuts the offset at d (1 - 2^-42). Binding tests: test_certified_offsets,
+  // rounding of levels, pinched vertices.
   static constexpr double level_rounding = 0x1p-41;
   // Limits of the halvings of a piece, and of the number of triangles of a face.
   static constexpr int most_halvings = 60;
@@ -251,8 +252,9 @@ private:
     return result;
   }
 
-  // Curves within a tolerance may touch a pinched vertex whose distance is within that tolerance of the level. Adds to the pinches at
-  // the level those nearest to it, as few as needed for the curves to bound a region. Returns false if they do not with all of them.
+  // Curves within a tolerance may touch a pinched vertex whose distance is within that tolerance of the level. Adds to the
+  // pinches at the level those nearest to it, as few as needed for the curves to bound a region. Returns false if they do not
+  // with all of them.
   bool add_pinches(std::vector<Index>& pinches)
   {
     const Unfolded_mesh<double>& unfolded = m_mesh.unfolded();
@@ -332,8 +334,9 @@ private:
   }
 
   // Decides which side of each component is inside. The first source of a component is inside; if another one is outside, the
-  // tolerance is at least d - s, with the start value s of that source. Sources with start values near the level, up to its rounding,
-  // come last and decide no side. A component without sources is outside; if it has curves, its part at a pinched vertex is inside.
+  // tolerance is at least d - s, with the start value s of that source. Sources with start values near the level, up to its
+  // rounding, come last and decide no side. A component without sources is outside; if it has curves, its part at a pinched
+  // vertex is inside.
   void find_sides(const std::vector<Index>& pinches)
   {
     const double level = (1 - level_rounding) * m_distance;

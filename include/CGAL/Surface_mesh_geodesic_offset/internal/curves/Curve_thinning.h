@@ -179,7 +179,8 @@ private:
       }
       c.push(m_curve, {i, parts, parts}, height);
       c.vertices.back().is_kept = is_kept(i);
-      // drop a piece that is a point, also an arc of which all parts round to one, but retain the first and last points of the curve
+      // drop a piece that is a point, also an arc of which all parts round to one, but retain the first and last points of the
+      // curve
       const auto before = c.vertices.rbegin() + 1;
       const bool is_point = std::all_of(before, before + std::ptrdiff_t(parts), [&](const Thinning_vertex& v) {
         return v.point == c.vertices.back().point;

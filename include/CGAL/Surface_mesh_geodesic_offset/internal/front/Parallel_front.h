@@ -197,8 +197,8 @@ private:
     return std::all_of(m_waiting.begin(), m_waiting.end(), [this](const Waiting& w) { return w.first > m_state.current(); });
   }
 
-  // Processes a part in a round: reads messages and releases lists before f, and takes the snapshot after it. f processes all elements of
-  // the bucket that `number` counts.
+  // Processes a part in a round: reads messages and releases lists before f, and takes the snapshot after it. f processes all
+  // elements of the bucket that `number` counts.
   template <std::size_t (Bucket_queue::*number)() const, class Function>
   void take_turn(Index i, unsigned worker, const Function& f)
   {

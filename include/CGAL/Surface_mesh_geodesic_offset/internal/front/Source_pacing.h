@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// When sources start: those with start values start shortly before the front reaches these, so that their windows do not wait in lists.
+// When sources start: those with start values start shortly before the front reaches these, so that their windows do not wait
+// in lists.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_SOURCE_PACING_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_SOURCE_PACING_H
@@ -29,8 +30,8 @@ public:
   const FT& next() const { return m_next; }
   bool has_next(const FT& maximum) const { return m_next <= maximum && Number_policy<FT>::is_finite(m_next); }
 
-  // If the next sources are to start, passes on to them: last() becomes larger, and set_next() is to be called. Buckets: a Bucket_queue
-  // or a Wavefront_state. The front moves by less than the buckets ahead until the next call.
+  // If the next sources are to start, passes on to them: last() becomes larger, and set_next() is to be called. Buckets: a
+  // Bucket_queue or a Wavefront_state. The front moves by less than the buckets ahead until the next call.
   template <class Buckets>
   bool advance(const Buckets& buckets, const FT& longest_edge)
   {

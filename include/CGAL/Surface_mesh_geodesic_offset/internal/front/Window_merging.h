@@ -90,9 +90,10 @@ public:
   bool is_on() const { return m_is_on; }
   const Merging_counts& counts() const { return m_counts; }
 
-  // True if merging of the n windows of halfedge h is likely to save more time than it takes. The smaller a relative tolerance t
-  // is, the more windows it leaves, so short lists cannot be merged much. A tolerance that is a length is for noise, which may leave
-  // one window. Pairs that cannot be merged at one halfedge can rarely at the next one, so of longer lists some are merged.
+  // True if merging of the n windows of halfedge h is likely to save more time than it takes. The smaller a relative tolerance
+  // t is, the more windows it leaves, so short lists cannot be merged much. A tolerance that is a length is for noise, which
+  // may leave one window. Pairs that cannot be merged at one halfedge can rarely at the next one, so of longer lists some are
+  // merged.
   bool pays_for(Index h, std::size_t n) const
   {
     if (n < m_least_size) return m_is_on && n > long_list && h % long_list_stride == 0;
@@ -240,8 +241,9 @@ private:
     return place_image(n, c, r0, m) && passes(m, false, unit) && passes(m, true, unit) && accept(a, b, unit, true, m);
   }
 
-  // Tests the conditions with the image of m, and sets its origin. The origin of a new image is a code of its error, even if that is
-  // zero: Kept_windows takes sigma from the pseudo-source otherwise. Binding test: test_bounded_error, kept windows of new images.
+  // Tests the conditions with the image of m, and sets its origin. The origin of a new image is a code of its error, even if
+  // that is zero: Kept_windows takes sigma from the pseudo-source otherwise. Binding test: test_bounded_error, kept windows of
+  // new images.
   bool accept(const Window& a, const Window& b, const FT& unit, bool has_new_image, Window& m) const
   {
     if (!encloses(a, b, m)) return false;

@@ -61,9 +61,9 @@ struct Extended_field
   }
 
 private:
-  // Windows of all processed lists, for a mesh and for each halfedge. Meshes of the tests and of attacks take up to 41 windows for a
-  // halfedge. In needles, where rays wind around a vertex until rounding ends them, the number is the square of that of the turns.
-  // Binding test: test_graded_distances, winding rays.
+  // Windows of all processed lists, for a mesh and for each halfedge. Meshes of the tests and of attacks take up to 41 windows
+  // for a halfedge. In needles, where rays wind around a vertex until rounding ends them, the number is the square of that of
+  // the turns. Binding test: test_graded_distances, winding rays.
   static constexpr std::size_t most_work_of_mesh = std::size_t(1) << 20, most_work_of_halfedge = std::size_t(1) << 10;
 
   struct Nothing

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Vertices whose distances are far smaller than edges within that distance. The coordinates of windows and all tolerances are relative
-// to edges, so such distances lose digits.
+// Vertices whose distances are far smaller than edges within that distance. The coordinates of windows and all tolerances are
+// relative to edges, so such distances lose digits.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_GRADED_GRADED_PLACES_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_GRADED_GRADED_PLACES_H
@@ -20,9 +20,9 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// Edges this many times longer than a distance make it graded. The error of a distance is up to some 12 units of rounding of the edges
-// within that distance (measured), so distances that are not graded have relative errors up to 64 * 12 * 2^-53 < 1e-13. Binding test:
-// test_graded_distances, graded vertices.
+// Edges this many times longer than a distance make it graded. The error of a distance is up to some 12 units of rounding of
+// the edges within that distance (measured), so distances that are not graded have relative errors up to 64 * 12 * 2^-53 <
+// 1e-13. Binding test: test_graded_distances, graded vertices.
 constexpr double graded_ratio = 64;
 
 // Part of the longest edge that exceeds the rounding errors of all distances: 2^-42 is 2048 units of rounding, eight times the
@@ -127,8 +127,8 @@ private:
     return (ends - m_mesh[h].length) / 2 <= distance + m_rounding && m_points.between(w, a, b) <= radius + m_rounding;
   }
 
-  // The second propagation takes some ten times longer per face than the first. So it has no more than 1/32 of the faces, or as many
-  // as take some half a second. Binding test: test_graded_distances, large places.
+  // The second propagation takes some ten times longer per face than the first. So it has no more than 1/32 of the faces, or as
+  // many as take some half a second. Binding test: test_graded_distances, large places.
   static constexpr std::size_t least_most_faces = 1 << 15, part_of_faces = 32;
 
   const Unfolded_mesh<double>& m_mesh;

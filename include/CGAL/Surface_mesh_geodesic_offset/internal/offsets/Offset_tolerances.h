@@ -26,9 +26,9 @@ struct Offset_tolerances
   static FT level_shift(const FT& level) { return unit(10) * level; }
 
   // A source with segments has an offset at a level only if the level, cut as above, exceeds its start value by more than this:
-  // 2^10 u times the start value plus the longest edge around the source. This is eight of the smallest ties (below). The two sides of an
-  // offset of one or two ties are one curve up to rounding, which would leave parts of it; from four ties on, no fault is
-  // known. Binding test: test_degenerate_levels.
+  // 2^10 u times the start value plus the longest edge around the source. This is eight of the smallest ties (below). The two
+  // sides of an offset of one or two ties are one curve up to rounding, which would leave parts of it; from four ties on, no
+  // fault is known. Binding test: test_degenerate_levels.
   static FT least_offset(const FT& magnitude) { return unit(10) * magnitude; }
 
   // Two faces of an edge bound its distances with different rounding. A level this near to a bound is searched in both: 2^14 u

@@ -60,8 +60,8 @@ public:
 private:
   typedef Point_in_face<FT> Point;
 
-  // The rise of the distance at the vertex inside, an upper bound if its distance is unknown. The rays of a piece need not reach the
-  // vertex: behind the end of a source segment, the distance is larger than that from its line.
+  // The rise of the distance at the vertex inside, an upper bound if its distance is unknown. The rays of a piece need not
+  // reach the vertex: behind the end of a source segment, the distance is larger than that from its line.
   FT rise_at(Index v, const Pieces& pieces, const FT& level) const
   {
     if (Number_policy<FT>::is_finite(m_distance[v])) return m_distance[v] - level;

@@ -163,8 +163,8 @@ private:
     return n;
   }
 
-  // Allowance for the rounding of a distance by a window: that of pruning_allowance(), by which windows are cut. `scale`: the distance
-  // plus the edges.
+  // Allowance for the rounding of a distance by a window: that of pruning_allowance(), by which windows are cut. `scale`: the
+  // distance plus the edges.
   static FT window_allowance(const FT& scale) { return Number_policy<FT>::rounding(256) * scale; }
 
   // Start value of the source at the end of the shortest path, unless the path bends at the end of a window.

@@ -20,8 +20,9 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// A point gets the number of the first known point within the tolerance in one of its faces, or else a new one: so points of one number
-// are no farther apart than twice the tolerance, however many there are. The points of a face are found in a grid of squares.
+// A point gets the number of the first known point within the tolerance in one of its faces, or else a new one: so points of
+// one number are no farther apart than twice the tolerance, however many there are. The points of a face are found in a grid of
+// squares.
 template <class FT>
 class Coinciding_places
 {

@@ -245,8 +245,8 @@ private:
     items.swap(sorted);
   }
 
-  // Where sources with the same start value overlap along an edge, only that with the smallest id keeps its window, on both sides of
-  // the edge: ties of windows in one face and in the other could be decided differently.
+  // Where sources with the same start value overlap along an edge, only that with the smallest id keeps its window, on both
+  // sides of the edge: ties of windows in one face and in the other could be decided differently.
   void remove_overlaps()
   {
     std::vector<Edge_window> kept;
@@ -279,7 +279,8 @@ private:
     edges.swap(kept);
   }
 
-  // Rays from a point inside a face (entry -1), on its halfedge `entry`, or behind that halfedge, counterclockwise from `from` to `to`.
+  // Rays from a point inside a face (entry -1), on its halfedge `entry`, or behind that halfedge, counterclockwise from `from`
+  // to `to`.
   struct Sector
   {
     Index face;
@@ -351,8 +352,9 @@ private:
     else return height > -rounding_of_height(frame);
   }
 
-  // Adds the sector beyond halfedge k of its face to the pending ones, and a seed at the vertex behind the edge if the rays reach it. Rays
-  // that come to a face again, as around the tip of a narrow cone, are no shortest paths there: ends them, after one round or two.
+  // Adds the sector beyond halfedge k of its face to the pending ones, and a seed at the vertex behind the edge if the rays
+  // reach it. Rays that come to a face again, as around the tip of a narrow cone, are no shortest paths there: ends them, after
+  // one round or two.
   void cross_edge(const Sector& sector, const Face_frame<FT>& frame, int k, Source_ref source_ref)
   {
     const Index g = m_mesh.twin(3 * sector.face + Index(k));

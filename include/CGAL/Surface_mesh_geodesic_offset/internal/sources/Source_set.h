@@ -45,8 +45,8 @@ public:
     for (const auto& s : m_sources) f(s.first, s.second);
   }
 
-  // \throws std::invalid_argument if rays cannot start from the source. Defined outside the class, as initial_windows(): they may be
-  // compiled separately (separate_functions.h).
+  // \throws std::invalid_argument if rays cannot start from the source. Defined outside the class, as initial_windows(): they
+  // may be compiled separately (separate_functions.h).
   static void check(const Unfolded_mesh<FT>& mesh, const Source& source);
 
   // True if this set consists of `before` and sources with later ids.

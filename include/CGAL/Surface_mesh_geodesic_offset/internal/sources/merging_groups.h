@@ -24,12 +24,12 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// The windows of two segments in line have the same distances, but where one of them is a segment of another source, too, or a point of
-// it up to rounding, they may be of different cells of the Voronoi diagram, so such segments are groups of their own.
+// The windows of two segments in line have the same distances, but where one of them is a segment of another source, too, or a
+// point of it up to rounding, they may be of different cells of the Voronoi diagram, so such segments are groups of their own.
 //
-// Segments coincide here if their ends are no farther apart than 2^-43 of the longest edge times the number of faces plus the latest
-// start value: more than Voronoi_tolerances::same_source(), since no distance is larger than this. More groups only keep more
-// windows. Binding test: test_voronoi_diagram, shared segments.
+// Segments coincide here if their ends are no farther apart than 2^-43 of the longest edge times the number of faces plus the
+// latest start value: more than Voronoi_tolerances::same_source(), since no distance is larger than this. More groups only keep
+// more windows. Binding test: test_voronoi_diagram, shared segments.
 template <class FT>
 std::vector<Index> merging_groups(const Unfolded_mesh<FT>& mesh, const Initial_windows<FT>& initial)
 {

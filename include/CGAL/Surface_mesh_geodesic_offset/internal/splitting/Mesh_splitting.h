@@ -127,10 +127,10 @@ public:
     for (const auto& f : m_uncrossed) put_source(f.first, f.second);
   }
 
-  // Writes the band of each face: the number of levels that do not exceed its distances. The band of a region follows from the curves
-  // on its border. If there are none, or they contradict each other, as where the sides of a strip coincide in parts, it follows from
-  // the mean of the smallest and the largest distance of its vertices; the largest may be a level whose curve is a point. Without
-  // distances of vertices, such a region has the band by its curves, or the lowest one.
+  // Writes the band of each face: the number of levels that do not exceed its distances. The band of a region follows from the
+  // curves on its border. If there are none, or they contradict each other, as where the sides of a strip coincide in parts, it
+  // follows from the mean of the smallest and the largest distance of its vertices; the largest may be a level whose curve is a
+  // point. Without distances of vertices, such a region has the band by its curves, or the lowest one.
   template <class FaceBandMap, class Levels, class Distance>
   void write_bands(FaceBandMap band_map, const Levels& levels, const std::optional<Distance>& distance_of)
   {
@@ -143,8 +143,8 @@ public:
       regions.spread();
       first.push_back(f);
     }
-    // A region is nearer than all levels that it has on the left, and farther than those on the right. If chords cross, a region may
-    // have edges of both.
+    // A region is nearer than all levels that it has on the left, and farther than those on the right. If chords cross, a
+    // region may have edges of both.
     const std::size_t none = std::numeric_limits<std::size_t>::max();
     std::vector<std::size_t> upper(first.size(), none), lower(first.size(), none);
     const auto directed = sorted_edges();
@@ -315,8 +315,8 @@ private:
     return m_points.add(l.first, w);
   }
 
-  // Joins the ends of two pieces in faces with no common edge: curves have no pieces in faces that they cross beside a vertex, where
-  // rounding does not tell a piece from a point.
+  // Joins the ends of two pieces in faces with no common edge: curves have no pieces in faces that they cross beside a vertex,
+  // where rounding does not tell a piece from a point.
   Id link(Id from, Id to, std::size_t level)
   {
     const face_descriptor f = from == to ? Graph_traits::null_face() : m_points.common_face(from, to);

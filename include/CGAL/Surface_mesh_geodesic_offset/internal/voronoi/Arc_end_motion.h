@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The ends of arcs in a cell, and how far they may move: arcs that meet at a small angle, or between sources that nearly coincide, end
-// apart by rounding.
+// The ends of arcs in a cell, and how far they may move: arcs that meet at a small angle, or between sources that nearly
+// coincide, end apart by rounding.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_VORONOI_ARC_END_MOTION_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_VORONOI_ARC_END_MOTION_H
@@ -86,8 +86,8 @@ public:
   }
 
 private:
-  // The largest distance of the ends of a cluster from a point when they have moved towards it; infinite if not all their sources tie
-  // there, or if one of the ends may not.
+  // The largest distance of the ends of a cluster from a point when they have moved towards it; infinite if not all their
+  // sources tie there, or if one of the ends may not.
   NT largest_gap(const std::vector<std::size_t>& members, const Point& p) const
   {
     if (!all_tie_at(p, members)) return std::numeric_limits<NT>::infinity();

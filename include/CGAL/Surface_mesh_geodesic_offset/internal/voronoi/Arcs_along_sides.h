@@ -22,8 +22,8 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// Where a bisector runs along a side, the label of the side is that of one of the two cells, or a third one that ties there; it is the
-// same for both cells. So the arc belongs to the cell whose label is not that of the side.
+// Where a bisector runs along a side, the label of the side is that of one of the two cells, or a third one that ties there; it
+// is the same for both cells. So the arc belongs to the cell whose label is not that of the side.
 template <class NT>
 class Arcs_along_sides
 {
@@ -50,8 +50,8 @@ public:
     arcs.swap(own);
   }
 
-  // A side may have a label that no window of the cell has there, but one beyond the side: adds links along it, between this label and that
-  // of the cell.
+  // A side may have a label that no window of the cell has there, but one beyond the side: adds links along it, between this
+  // label and that of the cell.
   void add_links(const Voronoi_cell<NT>& cell, const std::vector<unsigned>& candidates, std::vector<Bisector_arc<NT>>& arcs)
   {
     for (int k = 0; k < 3; ++k)

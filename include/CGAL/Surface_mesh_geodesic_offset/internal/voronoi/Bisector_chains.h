@@ -103,8 +103,8 @@ public:
   }
 
 private:
-  // Copies the arcs without those that rounding does not tell from a point, which become one node, as around a vertex of the mesh. Ends
-  // on the border remain what they are.
+  // Copies the arcs without those that rounding does not tell from a point, which become one node, as around a vertex of the
+  // mesh. Ends on the border remain what they are.
   void contract(const std::vector<Bisector_arc<NT>>& arcs, std::size_t number_of_nodes)
   {
     std::vector<std::size_t> number_at(number_of_nodes, 0);
@@ -185,8 +185,8 @@ private:
     out.chains.push_back(std::move(chain));
   }
 
-  // True if a closed chain is around a part of the mesh that is larger than the chain, as a needle: on both sides, the source of the side
-  // is nearer at a corner than a point within the chain allows.
+  // True if a closed chain is around a part of the mesh that is larger than the chain, as a needle: on both sides, the source
+  // of the side is nearer at a corner than a point within the chain allows.
   static bool is_around_needle(const std::vector<Bisector_arc<NT>>& arcs, NT length,
                                const std::unordered_map<Index, Face_cells<NT>>& cells)
   {
@@ -201,8 +201,8 @@ private:
     return (std::min)(lead_of_left, lead_of_right) > 2 * length;
   }
 
-  // True if a closed chain is a point or, in a face, a line up to rounding, or follows only edges, each of them in both directions: a tie
-  // along edges.
+  // True if a closed chain is a point or, in a face, a line up to rounding, or follows only edges, each of them in both
+  // directions: a tie along edges.
   static bool has_no_area(const std::vector<Bisector_arc<NT>>& arcs, const std::unordered_map<Index, Face_cells<NT>>& cells)
   {
     std::map<Index, NT> along;

@@ -63,10 +63,10 @@ public:
   typedef Point_in_face<NT> Point;
   enum Kind : unsigned char { SEGMENT, PARABOLA, HYPERBOLA };
 
-  // Returns false if there is no bisector: one of the windows is nearer everywhere, or both have the same distances. On a ray on
-  // which a window is just as near as another one that is nearer beside the ray, cones may meet: is_ray(). `center`: a point of
-  // the face, the same for all bisectors of two bundles of parallel rays. Where these are nearly one, rounding places the line, and at the
-  // center it does so least. Binding test: test_voronoi_diagram, parallel rays of nearly one direction.
+  // Returns false if there is no bisector: one of the windows is nearer everywhere, or both have the same distances. On a ray
+  // on which a window is just as near as another one that is nearer beside the ray, cones may meet: is_ray(). `center`: a point
+  // of the face, the same for all bisectors of two bundles of parallel rays. Where these are nearly one, rounding places the
+  // line, and at the center it does so least. Binding test: test_voronoi_diagram, parallel rays of nearly one direction.
   bool make(const Voronoi_window<NT>& a, const Voronoi_window<NT>& b, NT tie, const Point& center)
   {
     m_is_ray = false;

@@ -76,7 +76,8 @@ private:
       add_parts(cell, candidates, conic, a, b, precedes(a, b) ? a : b, margin, out);
   }
 
-  // `nearer`: the one of the two windows that is nearer in its cone, if the bisector is a ray. The ray is then a bound of this cone.
+  // `nearer`: the one of the two windows that is nearer in its cone, if the bisector is a ray. The ray is then a bound of this
+  // cone.
   void add_parts(const Voronoi_cell<NT>& cell, const std::vector<unsigned>& candidates, const Bisector_conic<NT>& conic,
                  unsigned a, unsigned b, unsigned nearer, NT margin, std::vector<Bisector_arc<NT>>& out) const
   {
@@ -216,8 +217,8 @@ private:
     return v.precedes(w) || (!w.precedes(v) && a < b);
   }
 
-  // True if x may have a ray in common with v, rather than with w: their distances are equal along a ray, or else its label, or a more
-  // similar direction.
+  // True if x may have a ray in common with v, rather than with w: their distances are equal along a ray, or else its label, or
+  // a more similar direction.
   bool is_rival(const Bisector_conic<NT>& conic, const Voronoi_window<NT>& x, const Voronoi_window<NT>& v,
                 const Voronoi_window<NT>& w, const Parameter_intervals<NT>& parts) const
   {

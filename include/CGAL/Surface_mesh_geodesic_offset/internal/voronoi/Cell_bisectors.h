@@ -26,8 +26,9 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// Arcs are connected by the proximity of their ends and of the gates. The result counts only if every gate and every end of an arc has
-// a partner between the same sources, or is one of several around a point of as many sources. Otherwise the caller divides the cell.
+// Arcs are connected by the proximity of their ends and of the gates. The result counts only if every gate and every end of an
+// arc has a partner between the same sources, or is one of several around a point of as many sources. Otherwise the caller
+// divides the cell.
 template <class NT>
 class Cell_bisectors
 {
@@ -225,8 +226,8 @@ private:
     return length(a.middle() - a.start) <= 2 * m_joint;
   }
 
-  // True if the ends of a cluster are in one point: of two sources with two ends, or of n sources with n ends; or the sectors between
-  // the ends, in the order of their directions, have one source each, as where two polylines cross.
+  // True if the ends of a cluster are in one point: of two sources with two ends, or of n sources with n ends; or the sectors
+  // between the ends, in the order of their directions, have one source each, as where two polylines cross.
   bool fits(const Voronoi_cell<NT>& cell, const std::vector<std::size_t>& members) const
   {
     if (members.empty()) return true;

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The bisectors of a build. Where rounding lets them contradict each other, or leaves some of them out, all are found again with twice
-// the digits of double: distances that tie only up to rounding then differ by far more than their errors.
+// The bisectors of a build. Where rounding lets them contradict each other, or leaves some of them out, all are found again
+// with twice the digits of double: distances that tie only up to rounding then differ by far more than their errors.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_VORONOI_EXTENDED_BISECTORS_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_VORONOI_EXTENDED_BISECTORS_H

@@ -243,9 +243,9 @@ private:
     append(v);
   }
 
-  // The function d(v) + |p - v| of a corner in the whole face. It is an upper bound everywhere, and tells the distance where rounding
-  // leaves points outside all cones, as beside an edge that is in line with a source; so it counts only where it is nearer by more than
-  // a loose tie.
+  // The function d(v) + |p - v| of a corner in the whole face. It is an upper bound everywhere, and tells the distance where
+  // rounding leaves points outside all cones, as beside an edge that is in line with a source; so it counts only where it is
+  // nearer by more than a loose tie.
   Face_window<FT> whole_corner(Face_window<FT> w) const
   {
     w.right = m_field.frame().corner((w.edge + 1) % 3);
@@ -254,8 +254,8 @@ private:
     return w;
   }
 
-  // Closes the gaps between the cones of windows with a common bounding ray. A bounding ray without a neighbour may lie on an edge of the
-  // face, so the cone is extended there.
+  // Closes the gaps between the cones of windows with a common bounding ray. A bounding ray without a neighbour may lie on an
+  // edge of the face, so the cone is extended there.
   void close_gaps()
   {
     typedef std::pair<NT, unsigned> Place;                                                   // x coordinate, window

@@ -74,9 +74,9 @@ public:
 
   Index label_of_center() const { return labels({1. / 3, 1. / 3, 1. / 3}, 0).front(); }
 
-  // The label of a face that no curve crosses: the source whose largest excess over the nearest one, at points in the middle and towards
-  // the corners, is smallest. One point does not suffice: several sources may tie there, or a loop that is too small to be kept may
-  // surround it.
+  // The label of a face that no curve crosses: the source whose largest excess over the nearest one, at points in the middle
+  // and towards the corners, is smallest. One point does not suffice: several sources may tie there, or a loop that is too
+  // small to be kept may surround it.
   Index label_without_curves() const
   {
     std::map<Index, NT> excess;

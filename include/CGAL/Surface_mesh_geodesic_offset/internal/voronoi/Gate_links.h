@@ -40,9 +40,10 @@ public:
   {
   }
 
-  // Connects the gates, and passes the arcs to out(arc). new_node(): the number of a new node, where several arcs meet. Returns false,
-  // without output, if two sources do not tie along an arc, or if one of the arcs `found`, bisectors of pairs of windows, coincides
-  // with none of the arcs. A cell without gates must have one nearest source, at its center and at six points around the center.
+  // Connects the gates, and passes the arcs to out(arc). new_node(): the number of a new node, where several arcs meet. Returns
+  // false, without output, if two sources do not tie along an arc, or if one of the arcs `found`, bisectors of pairs of
+  // windows, coincides with none of the arcs. A cell without gates must have one nearest source, at its center and at six
+  // points around the center.
   template <class New_node, class OutputFunction>
   bool connect(const Voronoi_cell<NT>& cell, const std::vector<unsigned>& candidates,
                const std::vector<Bisector_arc<NT>>& found, const New_node& new_node, const OutputFunction& out)
@@ -72,9 +73,10 @@ public:
     write(new_node, out);
   }
 
-  // True if the distances from both sources tie along an arc whose ends were moved to a common point with others, and no other source is
-  // nearer. `is_wide`: the ends were farther apart than a joint, and were joined only because they may meet; the tolerance is larger
-  // then. Otherwise an arc along a side of the face counts as true, as windows of the neighbouring face may decide there.
+  // True if the distances from both sources tie along an arc whose ends were moved to a common point with others, and no other
+  // source is nearer. `is_wide`: the ends were farther apart than a joint, and were joined only because they may meet; the
+  // tolerance is larger then. Otherwise an arc along a side of the face counts as true, as windows of the neighbouring face may
+  // decide there.
   bool is_verified(const Bisector_arc<NT>& arc, const std::vector<unsigned>& candidates, bool is_wide)
   {
     m_candidates = &candidates;
@@ -92,8 +94,8 @@ public:
   }
 
 private:
-  // Matching of gates as of brackets, in counterclockwise order. ACROSS: only gates of different sides match, so that curves beside each
-  // other stay so. FROM_FIRST, FROM_SECOND: neighbours match, beginning with the first or the second gate.
+  // Matching of gates as of brackets, in counterclockwise order. ACROSS: only gates of different sides match, so that curves
+  // beside each other stay so. FROM_FIRST, FROM_SECOND: neighbours match, beginning with the first or the second gate.
   enum Pairing { ACROSS, FROM_FIRST, FROM_SECOND };
 
   // Makes straight links: between matched gates, and from all other gates to one common end.
@@ -126,7 +128,8 @@ private:
     }
   }
 
-  // The common end of unmatched gates: a gate within a joint of another one, as at a corner of the cell; otherwise the mean of the gates.
+  // The common end of unmatched gates: a gate within a joint of another one, as at a corner of the cell; otherwise the mean of
+  // the gates.
   Point common_end(const Voronoi_gate<NT>* const* first, const Voronoi_gate<NT>* const* last) const
   {
     Point sum{0, 0};
@@ -151,8 +154,8 @@ private:
     }
   }
 
-  // Replaces a straight arc by a part of a conic: of the bisector of the windows of both labels that are nearest at its middle. Returns
-  // false, and leaves the arc, if the conic does not pass through the ends, or is no bisector between them.
+  // Replaces a straight arc by a part of a conic: of the bisector of the windows of both labels that are nearest at its middle.
+  // Returns false, and leaves the arc, if the conic does not pass through the ends, or is no bisector between them.
   bool make_conic(Bisector_arc<NT>& arc) const
   {
     const unsigned a = nearest(arc.left.label, arc.middle()).with_label, b = nearest(arc.right.label, arc.middle()).with_label;
@@ -180,9 +183,9 @@ private:
     return result;
   }
 
-  // True if both sources of an arc tie, and no other one is nearer. On a side of the face, one of both sources may be nearest only by
-  // windows of the neighbouring face; then its distance is not tested. This requires that both ends are gates, and that the source is
-  // nearest at neither end by the windows of this face.
+  // True if both sources of an arc tie, and no other one is nearer. On a side of the face, one of both sources may be nearest
+  // only by windows of the neighbouring face; then its distance is not tested. This requires that both ends are gates, and that
+  // the source is nearest at neither end by the windows of this face.
   bool is_bisector(const Bisector_arc<NT>& arc, NT tie) const
   {
     const bool ends_at_gate = arc.end_node != no_index || arc.chord_length() <= m_tolerances.joint;
@@ -206,9 +209,9 @@ private:
     return true;
   }
 
-  // True if each arc that was found coincides, up to rounding, with a link or with another such arc: its two sources tie on the segment
-  // from its middle to that arc, which may be between other sources that tie there, too. Otherwise the arc is part of a curve that
-  // passes no gate. Binding test: test_voronoi_diagram, curves without gates.
+  // True if each arc that was found coincides, up to rounding, with a link or with another such arc: its two sources tie on the
+  // segment from its middle to that arc, which may be between other sources that tie there, too. Otherwise the arc is part of a
+  // curve that passes no gate. Binding test: test_voronoi_diagram, curves without gates.
   bool coincide_with_links(const std::vector<Bisector_arc<NT>>& found) const
   {
     return std::all_of(found.begin(), found.end(), [&](const Bisector_arc<NT>& a) {
@@ -218,8 +221,8 @@ private:
     });
   }
 
-  // True if the sources of arc a tie, and no other one is nearer, from the middle of a to the nearest sample of arc b. False if this
-  // sample is an end of b, and the middle of a is beyond the end.
+  // True if the sources of arc a tie, and no other one is nearer, from the middle of a to the nearest sample of arc b. False if
+  // this sample is an end of b, and the middle of a is beyond the end.
   bool tie_between(const Bisector_arc<NT>& a, const Bisector_arc<NT>& b) const
   {
     constexpr int samples = Voronoi_tolerances<NT>::samples_of_link;

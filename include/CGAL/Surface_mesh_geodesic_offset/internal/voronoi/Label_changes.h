@@ -42,10 +42,11 @@ class Label_changes
 public:
   typedef Point_in_face<NT> Point;
 
-  // Calls out(change) for the changes along the segment from o in the direction of the unit vector u, in order. The labels of its
-  // ends are given: where the distances say otherwise, up to rounding, there is a change at the end. `candidates`: windows whose
-  // order along the segment counts; `all`: those that may be nearest at the ends, too, as those along a side of a cell. `center`:
-  // of the face, for segments in it, where changes are on bisectors; none on edges, where they are where windows tie, as chords end there.
+  // Calls out(change) for the changes along the segment from o in the direction of the unit vector u, in order. The labels of
+  // its ends are given: where the distances say otherwise, up to rounding, there is a change at the end. `candidates`: windows
+  // whose order along the segment counts; `all`: those that may be nearest at the ends, too, as those along a side of a cell.
+  // `center`: of the face, for segments in it, where changes are on bisectors; none on edges, where they are where windows tie,
+  // as chords end there.
   template <class OutputFunction>
   void operator()(const Point& o, const Point& u, NT size, Index first, Index last,
                   const std::vector<Voronoi_window<NT>>& windows, const std::vector<unsigned>& candidates,
@@ -121,8 +122,9 @@ private:
   };
   static constexpr unsigned none = Nearest_windows<NT>::none;
 
-  // Labels at the ends of intervals with one label, and in the middle of their pieces: that of the interval, unless rounding has left a
-  // gap between cones there, in which the windows of the interval are farther than the path around the end of a cone.
+  // Labels at the ends of intervals with one label, and in the middle of their pieces: that of the interval, unless rounding
+  // has left a gap between cones there, in which the windows of the interval are farther than the path around the end of a
+  // cone.
   void sample(const Segment& segment)
   {
     m_samples.clear();
@@ -161,9 +163,9 @@ private:
     out({{t <= segment.tolerances.shortest_interval ? 0 : t, first, second}, none, none});
   }
 
-  // The parameter between `low` and `high` at which the bisector of the nearest windows crosses the segment near a change, where both
-  // sources tie from there to the change; that of the change if there is none. So arcs pass through the gates, also where the angle between
-  // the rays is so small that rounding moves the bisector far.
+  // The parameter between `low` and `high` at which the bisector of the nearest windows crosses the segment near a change,
+  // where both sources tie from there to the change; that of the change if there is none. So arcs pass through the gates, also
+  // where the angle between the rays is so small that rounding moves the bisector far.
   NT crossing(const Segment& segment, const Change& change, NT low, NT high, const Point& center) const
   {
     const Point at = segment.o + change.t * segment.u, n = quarter_turn(segment.u);

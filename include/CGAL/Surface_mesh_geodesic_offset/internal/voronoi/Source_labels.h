@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The labels of cells: ids of sources, of which those that coincide up to rounding, or have a point or a segment in common, count as
-// that with the smallest id there.
+// The labels of cells: ids of sources, of which those that coincide up to rounding, or have a point or a segment in common,
+// count as that with the smallest id there.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_VORONOI_SOURCE_LABELS_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_VORONOI_SOURCE_LABELS_H

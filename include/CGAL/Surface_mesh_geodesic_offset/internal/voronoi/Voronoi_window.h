@@ -114,8 +114,8 @@ struct Voronoi_window
     return size > 0 ? (1 / size) * d : Point{0, 0};
   }
 
-  // Lower bound of the distances in a disk: any path starts at the chord, or beside its ends as far as the rays hold there, or at the
-  // image.
+  // Lower bound of the distances in a disk: any path starts at the chord, or beside its ends as far as the rays hold there, or
+  // at the image.
   NT lower_bound(const Point& center, NT radius) const
   {
     const NT beyond = (std::max)(tied[0] + length(end[0] - rays.left), tied[1] + length(end[1] - rays.right));
@@ -155,8 +155,8 @@ struct Voronoi_window
     }
   };
 
-  // The common ray of this window and of one on its right, of two sources: the distances are equal on it, and differ by the square of the
-  // distance from it on both sides. So within rounding, the cones may end anywhere beside the ray.
+  // The common ray of this window and of one on its right, of two sources: the distances are equal on it, and differ by the
+  // square of the distance from it on both sides. So within rounding, the cones may end anywhere beside the ray.
   std::optional<Common_ray> common_ray(const Voronoi_window<NT>& right, NT tie) const
   {
     if (label == right.label || !ties_on_ray(right, tie)) return std::nullopt;
@@ -178,8 +178,8 @@ struct Voronoi_window
     return CGAL::abs(length(image() - other.image()) - CGAL::abs(sigma() - other.sigma())) <= tie;
   }
 
-  // Ends the cone at a common ray on its left (0) or right (1). `along_edge`: unit vector along the edge of the chord, whose own direction
-  // rounding may have lost. Precondition: is_bound().
+  // Ends the cone at a common ray on its left (0) or right (1). `along_edge`: unit vector along the edge of the chord, whose
+  // own direction rounding may have lost. Precondition: is_bound().
   void end_at(const Common_ray& ray, int k, const Point& along_edge)
   {
     set_bound(k, k == 0 ? ray.left.opposite() : ray.left, along_edge);
@@ -199,8 +199,9 @@ struct Voronoi_window
     if (CGAL::abs(own.value(p)) <= width && CGAL::abs(cross(own.n, ray.n)) <= angle) set_bound(k, ray, along_edge);
   }
 
-  // Sets how far beyond the left (0) or right (1) bounding ray the distances tie with those of the window there: as far as the gradients
-  // where the ray starts differ by no more; and as paths from the end of a source segment are not longer than across it by more.
+  // Sets how far beyond the left (0) or right (1) bounding ray the distances tie with those of the window there: as far as the
+  // gradients where the ray starts differ by no more; and as paths from the end of a source segment are not longer than across
+  // it by more.
   void set_tied(int k, const Voronoi_window<NT>& other, NT tie)
   {
     const std::size_t i = std::size_t(k);
@@ -213,8 +214,8 @@ struct Voronoi_window
     tied[i] = (std::max)(tied[i], (std::min)({tie / slope, square_root<NT>(tie * from_source), chord}));
   }
 
-  // How far beyond the start of its left (0) or right (1) bounding ray a cone may reach: as far as paths from the end of a source segment
-  // are not longer than across it by more than a tie.
+  // How far beyond the start of its left (0) or right (1) bounding ray a cone may reach: as far as paths from the end of a
+  // source segment are not longer than across it by more than a tie.
   NT extension(int k, NT tie) const { return Voronoi_tolerances<NT>::tied_width(distance_from_source(start_of_bound(k)), tie); }
 
   // True if the bounding ray on the left (0) or right (1) is a common ray up to rounding.
@@ -246,8 +247,9 @@ struct Voronoi_window
     return fan;
   }
 
-  // The rays from the left (0) or right (1) end of the chord between the bounding ray there and the edge of the chord, whose normal out of
-  // the face is `outside`. A source within rounding of the edge has these rays, but no window that is long enough for them.
+  // The rays from the left (0) or right (1) end of the chord between the bounding ray there and the edge of the chord, whose
+  // normal out of the face is `outside`. A source within rounding of the edge has these rays, but no window that is long enough
+  // for them.
   Voronoi_window<NT> fan_beside(int k, const Point& outside, NT tie) const
   {
     const Point n = -1. * bound[std::size_t(k)].n;
@@ -257,8 +259,9 @@ struct Voronoi_window
     return fan;
   }
 
-  // Extends the cone at its left (0) or right (1) bounding ray by the angle that rounding explains. With r the distance of the image from
-  // the start of the ray, a path through the extension is too short by less than r tie^2 / (2 r^2), or 2 r: less than two ties.
+  // Extends the cone at its left (0) or right (1) bounding ray by the angle that rounding explains. With r the distance of the
+  // image from the start of the ray, a path through the extension is too short by less than r tie^2 / (2 r^2), or 2 r: less
+  // than two ties.
   void widen(int k, NT tie)
   {
     const double angle = (std::min)(Voronoi_tolerances<NT>::widest_turn, CGAL::to_double(rounding_of_bound(k, tie)));
@@ -275,8 +278,8 @@ struct Voronoi_window
     return apart * radius <= tie && CGAL::abs(distance_at(center) - other.distance_at(center)) <= tie;
   }
 
-  // Order of windows that tie. Beside a common ray, on which the distances are equal, the window with the farther image is nearer, by the
-  // square of the distance from the ray only.
+  // Order of windows that tie. Beside a common ray, on which the distances are equal, the window with the farther image is
+  // nearer, by the square of the distance from the ray only.
   bool precedes(const Voronoi_window<NT>& other) const
   {
     if (is_parallel() != other.is_parallel()) return is_parallel();
@@ -374,8 +377,8 @@ private:
   }
 };
 
-// The least length of a path to p through a window: straight if its rays hold there, else around an end of its chord. Continuous, also
-// if the cone ends at a common ray.
+// The least length of a path to p through a window: straight if its rays hold there, else around an end of its chord.
+// Continuous, also if the cone ends at a common ray.
 template <class NT>
 NT distance_through(const Voronoi_window<NT>& w, const Point_in_face<NT>& p, NT slack, bool& is_straight)
 {
@@ -397,7 +400,8 @@ NT least_path_length(const std::vector<Voronoi_window<NT>>& windows, const std::
   return result;
 }
 
-// The nearest of some windows to a point, the least distance from a label, and the nearest window with it whose rays hold at the point.
+// The nearest of some windows to a point, the least distance from a label, and the nearest window with it whose rays hold at
+// the point.
 template <class NT>
 struct Nearest_windows
 {

@@ -363,9 +363,9 @@ private:
   }
 
   // True if a window may be extended over a gap. `d`: the least distance in the gap; `size`: magnitude of the distances, for
-  // their rounding. Rays of a strip that is extended over a gap start on the line of the source segment, beyond its end by
-  // g = -w.y gap. Their distances are too small by g^2 / (2 l), with the length l of the rays, which must be within rounding. Binding
-  // test: test_degenerate_sources, gap between sources with start values.
+  // their rounding. Rays of a strip that is extended over a gap start on the line of the source segment, beyond its end by g =
+  // -w.y gap. Their distances are too small by g^2 / (2 l), with the length l of the rays, which must be within rounding.
+  // Binding test: test_degenerate_sources, gap between sources with start values.
   bool may_fill(const Window& w, const FT& gap, const FT& d, const FT& size) const
   {
     if (!w.is_parallel()) return true;
