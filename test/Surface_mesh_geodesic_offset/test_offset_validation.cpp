@@ -39,7 +39,7 @@ std::shared_ptr<const Surface> new_surface(const test::Surface_mesh& mesh)
   CGAL::Geodesic_offset::internal::Single_worker alone;
   return std::make_shared<Surface>(mesh, CGAL::get_initialized_vertex_index_map(mesh),
                                    CGAL::get_initialized_face_index_map(mesh), get(CGAL::vertex_point, mesh),
-                                   CGAL::Geodesic_offset::internal::No_lengths(), typename Surface::Computing_traits(), alone);
+                                   CGAL::Geodesic_offset::internal::No_lengths(), typename Surface::Traits(), alone);
 }
 
 template <class Curve>
