@@ -94,9 +94,10 @@ private:
     }
   }
 
-  // The part of w between two cuts; a limit at or beyond the end of the overlap is no cut.
-  Window part(Window w, double from, double to) const
+  // The part of a window between two cuts; a limit at or beyond the end of the overlap is no cut.
+  Window part(const Window& whole, double from, double to) const
   {
+    Window w = whole;
     if (from > m_low)
     {
       w.b0 = FT(from);
