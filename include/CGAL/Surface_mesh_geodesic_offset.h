@@ -338,8 +338,8 @@ public:
   /// \param np as for a vertex; the start value is that of all cycles
   /// \return the ids of the sources; no ids if the surface has no boundary
   /// \throws std::invalid_argument if the start value is not a finite number or is negative.
-  template <class T = bool, class Tag = internal_np::all_default_t, class Base = internal_np::No_property>
-  std::vector<std::size_t> add_source_boundary(const Named_function_parameters<T, Tag, Base>& np = parameters::default_values())
+  template <class NamedParameters = parameters::Default_named_parameters>
+  std::vector<std::size_t> add_source_boundary(const NamedParameters& np = parameters::default_values())
   {
     Source_set set;
     for (const std::vector<edge_descriptor>& cycle : m_mesh.boundary_edges()) set.add_edges(cycle, np);
