@@ -141,10 +141,11 @@ private:
 
   static Point rounded(const Double_double_2& p) { return {p.x.high, p.y.high}; }
 
-  // Distances of points from a piece, as parts of its chord: from that of rounding to one at which an arc is still straight.
-  static constexpr double least_step = 0x1p-46, largest_step = 0x1p-10;
   static constexpr int most_halvings = 40;    // hulls become narrower than rounding before
   static constexpr double rounding = 0x1p-46; // of coordinates and products, as a part of the face's size
+  // Distances of points from a piece, as parts of its chord: from that of rounding to one at which an arc is still straight.
+  // Binding test: test_certified_offsets, thin strips.
+  static constexpr double least_step = rounding, largest_step = 0x1p-10;
 
   const Certified_mesh& m_mesh;
   const Certified_sources& m_sources;

@@ -236,18 +236,25 @@ private:
     std::stable_sort(pinches.begin(), pinches.end(), [&](Index v, Index w) { return upper(v) < upper(w); });
   }
 
+  // The vertices with several fans for which is_wanted(vertex).
+  template <class Predicate>
+  std::vector<Index> pinched_vertices(const Predicate& is_wanted) const
+  {
+    std::vector<Index> result;
+    const Unfolded_mesh<double>& unfolded = m_mesh.unfolded();
+    for (Index v = 0; v < unfolded.number_of_vertices(); ++v)
+      if (unfolded.corner(v) != no_index && unfolded.has_several_fans(v) && is_wanted(v)) result.push_back(v);
+    return result;
+  }
+
   // Pinched vertices whose bounds contain the level, ordered by their upper bounds. Where an offset touches such a vertex, it is a
   // single point, and no curve need pass it. The vertex is added to C, as it may separate the fans.
   std::vector<Index> pinches_at_level() const
   {
-    std::vector<Index> result;
-    const Unfolded_mesh<double>& unfolded = m_mesh.unfolded();
-    const double rounding = level_rounding * (m_distance + m_mesh.to_unit(unfolded.longest_edge()));
-    for (Index v = 0; v < unfolded.number_of_vertices(); ++v)
-    {
-      if (unfolded.corner(v) == no_index || !unfolded.has_several_fans(v)) continue;
-      if (m_field.bounds.lower(v) - m_distance <= rounding && m_distance - upper(v) <= rounding) result.push_back(v);
-    }
+    const double rounding = level_rounding * (m_distance + m_mesh.to_unit(m_mesh.unfolded().longest_edge()));
+    std::vector<Index> result = pinched_vertices([&](Index v) {
+      return m_field.bounds.lower(v) - m_distance <= rounding && m_distance - upper(v) <= rounding;
+    });
     sort_pinches(result);
     return result;
   }
@@ -257,12 +264,8 @@ private:
   // with all of them.
   bool add_pinches(std::vector<Index>& pinches)
   {
-    const Unfolded_mesh<double>& unfolded = m_mesh.unfolded();
-    std::vector<Index> others;
-    for (Index v = 0; v < unfolded.number_of_vertices(); ++v)
-      if (unfolded.corner(v) != no_index && unfolded.has_several_fans(v) && !m_region.is_on_curve(v) &&
-          Number_policy<double>::is_finite(excess(v)))
-        others.push_back(v);
+    std::vector<Index> others =
+      pinched_vertices([&](Index v) { return !m_region.is_on_curve(v) && Number_policy<double>::is_finite(excess(v)); });
     std::stable_sort(others.begin(), others.end(), [&](Index v, Index w) { return excess(v) < excess(w); });
     const auto bounds_with = [&](std::size_t number) {
       std::vector<Index> all = pinches;

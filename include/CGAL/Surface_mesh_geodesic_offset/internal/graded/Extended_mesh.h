@@ -9,6 +9,7 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/Surface_mesh_geodesic_offset_traits.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/graded/Points_of_surface.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Layout_by_lengths.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Unfolded_mesh.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Source_set.h>
@@ -19,7 +20,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <functional>
 #include <optional>
 #include <unordered_map>
 #include <utility>
@@ -28,9 +28,6 @@
 namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
-
-// The coordinates of a vertex; empty for a mesh without points.
-typedef std::function<std::array<double, 3>(Index)> Point_of_vertex;
 
 // Lengths are scaled by a power of two such that the longest edge is between 1 and 2: products keep all digits.
 template <class Number>

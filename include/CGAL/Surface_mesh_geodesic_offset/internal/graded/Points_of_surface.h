@@ -19,6 +19,9 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
+// The coordinates of a vertex; empty for a mesh without points.
+typedef std::function<std::array<double, 3>(Index)> Point_of_vertex;
+
 template <class Surface>
 class Points_of_surface
 {
@@ -34,7 +37,7 @@ public:
   }
 
   // Empty without points. It refers to the surface.
-  std::function<std::array<double, 3>(Index)> point_of_vertex() const
+  Point_of_vertex point_of_vertex() const
   {
     if (!has_points()) return {};
     return [points = *this](Index v) { return points(v); };
