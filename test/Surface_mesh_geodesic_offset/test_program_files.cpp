@@ -295,6 +295,30 @@ private:
       fs::remove(path("old.txt"));
       CHECK(scratch_.files() == before);
 
+      // at any time: while files are created, written, and removed
+      Report::instance().set_context(std::string(number.first) + " while files are created");
+      for (int i = 0; i < 50; ++i)
+      {
+        const pid_t creator = fork();
+        if (creator == 0)
+        {
+          geodesic_offset::end_cleanly_on_signals();
+          alarm(60); // ends a run without the signal
+          write_file(path("ready"), "");
+          for (;;)
+          {
+            geodesic_offset::Output_files files;
+            files.add(path("new.txt"), [](std::ostream& out) { out << "new"; });
+          }
+        }
+        while (!fs::exists(path("ready"))) std::this_thread::yield();
+        std::this_thread::sleep_for(std::chrono::microseconds(20 * i));
+        kill(creator, number.second);
+        CHECK(test::internal::exit_code_of(creator) == 128 + number.second);
+        fs::remove(path("ready"));
+        CHECK(scratch_.files() == before);
+      }
+
       // during the computation
       Report::instance().set_context(std::string(number.first) + " in the program");
       const pid_t program = test::internal::start_program(

@@ -243,11 +243,10 @@ private:
     return (std::filesystem::path(file).parent_path() / name).string();
   }
 
-  // Creates an empty file with the permissions for new files under the user's mask.
+  // Creates an empty file with the permissions for new files under the user's mask. Precondition: the caller has the lock of
+  // the temporary files.
   static std::string new_file_beside(const Entry& entry)
   {
-    Temporary_files& temporaries = Temporary_files::instance();
-    const std::unique_lock<std::mutex> lock = temporaries.lock();
     for(;;)
     {
       std::string name = unused_name_beside(entry.file);
@@ -256,7 +255,7 @@ private:
       if(descriptor >= 0)
       {
         ::close(descriptor);
-        temporaries.add(name);
+        Temporary_files::instance().add(name);
         return name;
       }
       if(errno != EEXIST) fail(entry.target, reason());
@@ -314,8 +313,10 @@ private:
     Entry& entry = m_entries.back();
     try
     {
-      entry.temporary = new_file_beside(entry);
       entry.open = std::make_unique<Open_file>(std::move(report));
+      // Locked until the file is open: opening a file that a signal has removed would create it again.
+      const std::unique_lock<std::mutex> lock = Temporary_files::instance().lock();
+      entry.temporary = new_file_beside(entry);
       errno = 0;
       if(entry.open->file.open(entry.temporary, std::ios::out | std::ios::binary | std::ios::trunc) == nullptr)
         fail(target, reason());
