@@ -139,17 +139,6 @@ private:
       for (const auto& [v, d] : m_request.refined(sources, field, maximum)) field.path_length[v] = d;
   }
 
-  // Consumer that ignores finalized faces.
-  struct Nothing
-  {
-    static constexpr bool reads_lists = false;
-    template <class Team>
-    void take(const std::vector<Index>&, Team&)
-    {
-    }
-    void settle(const FT&) {}
-  };
-
   // Searches finalized faces for the farthest point if requested, and passes them on.
   template <class Consumer>
   struct Searching_consumer
@@ -220,8 +209,8 @@ template <class Traits>
 template <class Concurrency_tag, bool may_search>
 void Geodesic_build<Traits>::propagate(const Traits& traits)
 {
-  Nothing nothing;
-  run<Concurrency_tag, may_search>(traits, nothing);
+  Ignoring_consumer consumer;
+  run<Concurrency_tag, may_search>(traits, consumer);
 }
 
 } // namespace internal

@@ -12,6 +12,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/memory/prefetch.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Start_values.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Rays_through_chord.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/window_allowance.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window_lists.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Per_corner.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/workers/Concurrency.h>
@@ -334,7 +335,7 @@ private:
   {
     const Index v = stores_sigma(w) ? no_index : w.pseudo_source();
     if (v == no_index || BOOST_LIKELY(w.sigma <= distance[v])) return false; // usually equal
-    return w.sigma > distance[v] + Number_policy<FT>::rounding(256) * (std::max)(w.d0, w.d1);
+    return w.sigma > distance[v] + window_allowance<FT>((std::max)(w.d0, w.d1));
   }
 
   // `sigma`: next free index in m_sigma.

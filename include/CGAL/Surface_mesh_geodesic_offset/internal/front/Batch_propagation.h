@@ -277,8 +277,8 @@ private:
   static constexpr double roundings_of_useless_path = 256;
 
   // Units of rounding of a path around the end of a window by which it may exceed the straight path from the image: as many as
-  // prune windows. The directions of the two paths then differ by at most 2^-21.5, less than Vertex_sector::margin_angle().
-  static constexpr double roundings_of_straight_path = 256;
+  // for windows. The directions of the two paths then differ by at most 2^-21.5, less than Vertex_sector::margin_angle().
+  static constexpr double roundings_of_straight_path = roundings_of_window;
 
   // Surcharge on detours, so that they lose ties: 8 u L, where ends of windows are rounded to 2 u L. On graded meshes, L, the
   // longest edge, may be much longer than the edges of the face, if the window or its source has crossed large faces.

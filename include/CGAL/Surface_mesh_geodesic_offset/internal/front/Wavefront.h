@@ -41,6 +41,20 @@ struct Front_type<Traits, Parallel_tag>
 };
 #endif
 
+// Consumer of finalized faces that ignores them, see Wavefront::run().
+struct Ignoring_consumer
+{
+  static constexpr bool reads_lists = false;
+  template <class Team>
+  void take(const std::vector<Index>&, Team&)
+  {
+  }
+  template <class FT>
+  void settle(const FT&)
+  {
+  }
+};
+
 // `Concurrency_tag`: Sequential_tag, or Parallel_tag with floating point numbers.
 template <class Traits, class Concurrency_tag = Sequential_tag>
 class Wavefront

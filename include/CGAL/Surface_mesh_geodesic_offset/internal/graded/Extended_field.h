@@ -56,8 +56,8 @@ struct Extended_field
     const Traits traits;
     Wavefront<Traits> front(mesh.unfolded(), *initial, traits, mesh.to_scale(maximum), keeps_windows, false, results);
     front.limit_work(most_work_of_mesh + most_work_of_halfedge * mesh.unfolded().number_of_halfedges());
-    Nothing nothing;
-    front.run(nothing, [](const FT&, std::size_t) { return true; });
+    Ignoring_consumer consumer;
+    front.run(consumer, [](const FT&, std::size_t) { return true; });
   }
 
 private:
@@ -65,16 +65,6 @@ private:
   // for a halfedge. In needles, where rays wind around a vertex until rounding ends them, the number is the square of that of
   // the turns. Binding test: test_graded_distances, winding rays.
   static constexpr std::size_t most_work_of_mesh = std::size_t(1) << 20, most_work_of_halfedge = std::size_t(1) << 10;
-
-  struct Nothing
-  {
-    static constexpr bool reads_lists = false;
-    template <class Team>
-    void take(const std::vector<Index>&, Team&)
-    {
-    }
-    void settle(const FT&) {}
-  };
 };
 
 } // namespace internal

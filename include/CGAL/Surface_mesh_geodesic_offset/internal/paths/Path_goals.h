@@ -14,6 +14,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_suffix_cache.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_start.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Interval_filter.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/window_allowance.h>
 
 #include <CGAL/assertions.h>
 
@@ -243,7 +244,7 @@ public:
   {
     if (p.kind == Surface_point_::VERTEX) return m_field.source_ref[p.element];
     const Source_ref source_ref = source_ref_within(p, start, 64);
-    // Distances of windows that were extended over gaps are too small by up to 256 units (Lower_envelope).
+    // Distances of windows that were extended over gaps are too small by up to window_allowance().
     return source_ref.is_valid() ? source_ref : source_ref_within(p, start, 512);
   }
 
@@ -260,7 +261,7 @@ public:
     const int edge = int(walk.halfedge() % 3);
     const Point p = frame.from_halfedge(edge, walk.position()), q = frame.from_halfedge(edge, walk.goal());
     const Point direction = frame.vector_from_halfedge(edge, walk.direction());
-    const FT length_of_way = length(q - p), rounding = Number_policy<FT>::rounding(256) * (start.distance + extent);
+    const FT length_of_way = length(q - p), rounding = window_allowance<FT>(start.distance + extent);
     Way way = way_in(frame, p, q, direction, start.length());
     FT longest = length_of_way + rounding,
        nearest = has_missed ? FT(length_of_way + longest) : miss(length_of_way, start, extent);

@@ -13,6 +13,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Per_corner.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Surface_point.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Straight_walk.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/window_allowance.h>
 
 namespace CGAL {
 namespace Geodesic_offset {
@@ -158,14 +159,10 @@ private:
     n.distance = n.straight <= tie ? n.straight : n.by_corner <= tie ? n.by_corner : shortest;
     const FT s = start_value(face, n);
     // On the source. With a tolerance, a window of the source may give less than the start value by more than rounding.
-    const FT size = size_of_point(m_mesh, face), least = s - size - window_allowance(s + extent);
+    const FT size = size_of_point(m_mesh, face), least = s - size - window_allowance<FT>(s + extent);
     if (n.distance <= s + size && n.distance >= least) n.distance = s;
     return n;
   }
-
-  // Allowance for the rounding of a distance by a window: that of pruning_allowance(), by which windows are cut. `scale`: the
-  // distance plus the edges.
-  static FT window_allowance(const FT& scale) { return Number_policy<FT>::rounding(256) * scale; }
 
   // Start value of the source at the end of the shortest path, unless the path bends at the end of a window.
   FT start_value(Index face, const Nearest& n) const
@@ -224,7 +221,7 @@ private:
     {
       const Index h = 3 * p.element + Index(n.corner), v = m_mesh.source(h);
       const FT extent = m_mesh[h].length + m_mesh[h + 1 - 3 * Index(n.corner == 2)].length;
-      const FT tied = n.distance + window_allowance(n.distance + extent);
+      const FT tied = n.distance + window_allowance<FT>(n.distance + extent);
       if (n.distance != n.by_corner || m_field.is_source(v) || (std::min)(n.straight, n.bent) <= tied) return false;
       lead_by_vertex(h, n.q[n.corner], start);
     }
@@ -327,7 +324,7 @@ private:
     const Face_frame<FT> frame(m_mesh, m_mesh.face(h));
     const FT& edge = m_mesh[h].length;
     const FT from = frame.along(start.exit, start.from), to = frame.along(start.exit, start.to);
-    const FT allowance = window_allowance(start.distance + edge);
+    const FT allowance = window_allowance<FT>(start.distance + edge);
     if (CGAL::abs(frame.height(start.exit, start.from)) > allowance) return false; // a point of another edge
     if (CGAL::abs(frame.height(start.exit, start.to)) > allowance) return false;
     const bool ahead = to > from;
@@ -359,7 +356,7 @@ private:
     start.source_ref = source_ref;
     start.start_value = m_field.start_values.of(source_ref);
     start.is_below_start_value =
-      start.distance < start.start_value - window_allowance(start.start_value + m_mesh.longest_edge());
+      start.distance < start.start_value - window_allowance<FT>(start.start_value + m_mesh.longest_edge());
   }
 
   // Sets the goal, the image of the window. `from` and the distance must be set.

@@ -194,7 +194,7 @@ private:
       {
         passed.set_apart(passed.size());
         if (goal.vertex != no_index && m_mesh.apex(strip.halfedge()) == goal.vertex &&
-            strip.way_to_apex() <= strip.way_left() + Number_policy<FT>::rounding(256) * start.distance)
+            strip.way_to_apex() <= strip.way_left() + window_allowance<FT>(start.distance))
           return m_goals.end_at_goal(goal, strip.halfedge(), strip.position(), strip.direction(), start);
         h = strip.halfedge();
         from = strip.position();
@@ -227,7 +227,7 @@ private:
       {
         if constexpr (!Number_policy<FT>::is_inexact) return end_at_goal();
         const FT left = length(walk.goal() - walk.position());
-        const FT rounding = Number_policy<FT>::rounding(256) * start.distance + Number_policy<FT>::rounding(16) * extent;
+        const FT rounding = window_allowance<FT>(start.distance) + Number_policy<FT>::rounding(16) * extent;
         if (last <= left + rounding || (has_missed && reach - left + last + m_goals.distance_of(goal) <= detour.length))
           return end_at_goal();
         break;
@@ -404,7 +404,7 @@ private:
     const FT& d = m_field.distance[v];
     const FT straight_on = length(to_goal);
     const FT rest = straight_on + (start.pseudo_source == no_index ? start.start_value : m_field.distance[start.pseudo_source]);
-    return d < start.distance && d + length(to_vertex) <= rest + Number_policy<FT>::rounding(256) * start.distance &&
+    return d < start.distance && d + length(to_vertex) <= rest + window_allowance<FT>(start.distance) &&
            (v == goal.vertex || has_missed || m_goals.may_pass_through(v, start.source_ref));
   }
 

@@ -15,6 +15,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Interval_filter.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Start_values.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/window_allowance.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/window_checks.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window_order.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Certain_overlap_split.h>
@@ -75,7 +76,7 @@ public:
     if constexpr (Number_policy<FT>::is_inexact) m_widest_gap = first != last ? widest_gap(*first, length) : FT(0);
     m_wide = (std::max)(m_min_width, m_widest_gap);
     m_rounding = Number_policy<FT>::rounding(1);
-    m_gap_rounding = Number_policy<FT>::rounding(256); // as in pruning_allowance(), so that gaps left by pruning are closed
+    m_gap_rounding = Number_policy<FT>::rounding(roundings_of_window); // closes gaps left by pruning
     m_certain_difference = Number_policy<FT>::rounding(roundings_of_certain_difference);
     m_order.start(first, last, more, more_last);
     const Window* const* i = m_order.begin();

@@ -12,6 +12,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/Geodesic_number_pair.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Interval_filter.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/window_allowance.h>
 
 #include <boost/config.hpp>
 
@@ -26,7 +27,7 @@ template <class FT>
 inline auto pruning_allowance(const typename Interval_filter<FT>::Estimate& scale)
 {
   typedef typename Interval_filter<FT>::Estimate Estimate;
-  if constexpr (Number_policy<FT>::is_inexact) return Estimate(Number_policy<FT>::rounding(256) * scale);
+  if constexpr (Number_policy<FT>::is_inexact) return Estimate(Number_policy<FT>::rounding(roundings_of_window) * scale);
   else return Estimate(0);
 }
 
