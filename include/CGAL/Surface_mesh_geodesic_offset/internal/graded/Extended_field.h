@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A propagation with twice the digits of double.
+// The field on an Extended_mesh, propagated in numbers of twice the digits of double: for distances much smaller than the edges
+// around (extended_distances.h), and for bisectors of nearly equal distances (Extended_bisectors.h).
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_GRADED_EXTENDED_FIELD_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_GRADED_EXTENDED_FIELD_H
@@ -21,8 +22,9 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// True if the computation is in double, with the functors of the package: others may have another metric. False with options of
-// the compiler that spoil extended numbers.
+// True if an extended propagation computes the same field as the build: the number type is double, the functors are the
+// package's (a user's may define another metric), and no option of the compiler, such as -ffast-math, changes the rounding that
+// Extended_number relies on. `Package`: the traits of the package from which the traits are derived, or void.
 template <class Traits, class Package = Package_traits<Traits>>
 struct Has_extended_fields
 {
@@ -42,29 +44,32 @@ struct Extended_field
 {
   typedef Number FT;
 
-  std::vector<Index> source_of; // per id of a source there, that of the user
+  std::vector<Index> source_of_part; // per part of a source, that is, per source of `initial`: the id of its source
   std::optional<Initial_windows<FT>> initial;
   Geodesic_field<FT> results;
 
-  // Distances are final up to `maximum`, and sources with larger start values are left out.
+  // Propagates the parts of `sources` on the mesh; to be called once. Distances are final up to `maximum`, and sources with start
+  // values above it are left out. `sources` and `maximum` are in the units of the user, `initial` and `results` in those of the
+  // extended mesh.
   // \throws std::runtime_error if there are too many windows, see Window_lists and Wavefront_state::limit_work()
   void propagate(const Extended_mesh<Number>& mesh, const Source_set<double>& sources, double maximum, bool keeps_windows)
   {
-    initial.emplace(mesh.sources(sources, maximum, source_of).initial_windows(mesh.unfolded()));
+    initial.emplace(mesh.sources(sources, maximum, source_of_part).initial_windows(mesh.unfolded()));
     results.clear(mesh.unfolded(), initial->start_values);
     typedef typename Extended_mesh<Number>::Traits Traits;
     const Traits traits;
-    Wavefront<Traits> front(mesh.unfolded(), *initial, traits, mesh.to_scale(maximum), keeps_windows, false, results);
-    front.limit_work(most_work_of_mesh + most_work_of_halfedge * mesh.unfolded().number_of_halfedges());
+    Wavefront<Traits> front(mesh.unfolded(), *initial, traits, mesh.to_scale(maximum), keeps_windows,
+                            Ignoring_consumer::reads_lists, results);
+    front.limit_work(most_windows + most_windows_per_halfedge * mesh.unfolded().number_of_halfedges());
     Ignoring_consumer consumer;
     front.run(consumer, [](const FT&, std::size_t) { return true; });
   }
 
 private:
-  // Windows of all processed lists, for a mesh and for each halfedge. Meshes of the tests and of attacks take up to 41 windows
-  // for a halfedge. In needles, where rays wind around a vertex until rounding ends them, the number is the square of that of
-  // the turns. Binding test: test_graded_distances, winding rays.
-  static constexpr std::size_t most_work_of_mesh = std::size_t(1) << 20, most_work_of_halfedge = std::size_t(1) << 10;
+  // Limit of the propagated windows, a constant plus a number per halfedge. Meshes of the tests and of attacks need up to 41 per
+  // halfedge. In needles, rays wind around a vertex until rounding ends them, and the number of windows grows with the square of
+  // the number of turns. Binding test: test_graded_distances, winding rays.
+  static constexpr std::size_t most_windows = std::size_t(1) << 20, most_windows_per_halfedge = std::size_t(1) << 10;
 };
 
 } // namespace internal

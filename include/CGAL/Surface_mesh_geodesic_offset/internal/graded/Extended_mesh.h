@@ -98,16 +98,16 @@ public:
   double from_scale(const FT& length) const { return std::ldexp(length.high(), m_exponent); }
 
   // The parts of sources in the faces, up to a start value. Polylines are divided where they leave the faces. The ids of parts are
-  // consecutive; the ids of their sources are appended to `source_of`.
-  Extended_sources sources(const Sources& all, double largest_start_value, std::vector<Index>& source_of) const
+  // consecutive; the ids of their sources are appended to `source_of_part`.
+  Extended_sources sources(const Sources& all, double largest_start_value, std::vector<Index>& source_of_part) const
   {
     Extended_sources result;
     all.for_each([&](std::size_t id, const Sources::Source& s) {
       if (!(s.start_value <= largest_start_value)) return;
       add_parts(s,
                 [&](typename Extended_sources::Kind kind, std::vector<Surface_point<FT>> points, std::vector<Index> halfedges) {
-        result.insert(source_of.size(), {kind, std::move(points), std::move(halfedges), to_scale(s.start_value), {}});
-        source_of.push_back(Index(id));
+        result.insert(source_of_part.size(), {kind, std::move(points), std::move(halfedges), to_scale(s.start_value), {}});
+        source_of_part.push_back(Index(id));
       });
     });
     return result;

@@ -47,7 +47,7 @@ public:
       field.propagate(mesh, sources, std::numeric_limits<double>::infinity(), true);
       for (std::size_t i = 0; i < field.initial->primitives.size(); ++i)
         field.initial->source_of[i] = field.initial->primitives[i].source =
-          field.source_of[field.initial->primitives[i].source];
+          field.source_of_part[field.initial->primitives[i].source];
       typedef Voronoi_tolerances<double> Tolerances;
       const std::size_t most_comparisons =
         Tolerances::most_repeated_comparisons + Tolerances::most_repeated_comparisons_of_face * m_faces.size();
