@@ -913,6 +913,31 @@ void tie_at_a_center()
   }
 }
 
+// Points of a source edge whose coordinate for the opposite corner is zero up to rounding, and may be negative: they are on the
+// edge, whatever is beside it.
+void locations_on_source_edge()
+{
+  Surface_mesh mesh;
+  const Vertex_index a = mesh.add_vertex(Point_3(0, 0, 0)), b = mesh.add_vertex(Point_3(1, 0, 0)),
+                     c = mesh.add_vertex(Point_3(0, 1, 0));
+  const Face_index f = mesh.add_face(a, b, c);
+  const auto location = [&](double of_a, double of_b, double of_c) {
+    Location l(f, {});
+    const auto h = mesh.halfedge(f);
+    int k = 0;
+    for (const Vertex_index v : {mesh.source(h), mesh.target(h), mesh.target(mesh.next(h))})
+      l.second[k++] = v == a ? of_a : v == b ? of_b : of_c;
+    return l;
+  };
+  const std::vector<Location> polyline = {location(0.2, 0.2, 0.6), location(0.5, 0.4, 0.1)};
+  const Diagram diagram =
+    diagram_of(mesh, {[&](Geodesic& g) { g.add_source_edges(std::vector<Edge_index>{mesh.edge(mesh.halfedge(a, b))}); },
+                      [&](Geodesic& g) { g.add_source_polyline(polyline); }});
+  for (int i = 1; i < 100; ++i)
+    for (const double height : {-9e-14, -7e-15, -1e-16, 0., 1e-15})
+      CHECK_DETAIL(diagram.source_at(location(i / 100., 1 - i / 100. - height, height)) == 0, std::to_string(i));
+}
+
 // A vertex and an edge at it: where the vertex is the nearest point of the edge, both tie, and the curve is the border of this
 // region. It runs along rays on both sides of which the distances are equal up to the square of the distance from the ray, so
 // rounding may end windows anywhere beside them; on two sides of the other end of the edge, these rays meet.
@@ -1534,6 +1559,7 @@ GEODESIC_OFFSET_TEST(test_voronoi_diagram)
     {"ties on a ray", test_voronoi_diagram::ties_on_a_ray},
     {"tie at a center", test_voronoi_diagram::tie_at_a_center},
     {"vertex and edge", test_voronoi_diagram::vertex_and_edge},
+    {"locations on a source edge", test_voronoi_diagram::locations_on_source_edge},
     {"parts of edges at a vertex", test_voronoi_diagram::parts_of_edges_at_a_vertex},
     {"shared segments", test_voronoi_diagram::shared_segments},
     {"start value of a distance", test_voronoi_diagram::start_value_of_distance},

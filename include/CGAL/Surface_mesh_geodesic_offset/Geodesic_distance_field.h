@@ -231,7 +231,7 @@ public:
     Geodesic_offset::internal::write_vertex_distances(data(), built(), map);
   }
 
-  /// writes the id of the nearest source of each vertex to a map. The cells of sources also divide faces, see `voronoi_diagram()`.
+  /// writes the id of the nearest source of each vertex to a map; of sources that tie, any. The cells of sources also divide faces, see `voronoi_diagram()`.
   /// \tparam VertexLabelMap a model of `WritablePropertyMap` with `vertex_descriptor` as key and `std::size_t` as value
   template <class VertexLabelMap>
   void source_labels(VertexLabelMap map) const
@@ -371,7 +371,8 @@ public:
   /// \name Shortest Paths
   /// A path from a `Location`, a `vertex_descriptor` or a `Face_location`, to its nearest source consists of the point
   /// itself, a point on each edge that it crosses, the vertices through which it passes, and the source point. It is empty if
-  /// the point has no distance, and only the point if the point lies on a source. Two consecutive points are different and have a
+  /// the point has no distance, and only the point if the point lies on a source. As a location, an isolated vertex is in the null
+  /// face. Two consecutive points are different and have a
   /// face in common. The path ends at the nearest point of `nearest_source()`. The time is linear in the number of points, and
   /// the exceptions are those of the queries. The straight parts from vertex to vertex, which many paths have in common, are
   /// cached: in up to 264 bytes per vertex of the mesh for paths as points, and as many for the other forms.

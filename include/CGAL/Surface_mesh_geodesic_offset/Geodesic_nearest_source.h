@@ -33,7 +33,7 @@ struct Geodesic_nearest_source
   Source_side side; ///< side of the source from which the shortest path starts: `NONE` for points and sets of edges, `CAP` for
                     ///< ends of open polylines, `LEFT` or `RIGHT` for their segments and corners. Without meaning at distance 0
   FT_ distance;     ///< length of the shortest path
-  FaceLocation location; ///< the nearest point of the source, on the part
+  FaceLocation location; ///< the nearest point of the source, on the part; in the null face for an isolated vertex
 };
 
 } // namespace CGAL

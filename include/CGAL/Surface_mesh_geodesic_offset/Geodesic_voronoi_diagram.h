@@ -307,7 +307,7 @@ public:
     m_context->surface->classified(location); // or an exception
     std::array<double, 3> weights;
     std::transform(location.second.begin(), location.second.end(), weights.begin(),
-                   [](const FT& w) { return CGAL::to_double(w); });
+                   [](const FT& w) { return (std::max)(CGAL::to_double(w), 0.); }); // negative by rounding: on an edge
     const double sum = weights[0] + weights[1] + weights[2];
     for (double& w : weights) w /= sum;
     const auto* const cells = cells_of(location.first);
