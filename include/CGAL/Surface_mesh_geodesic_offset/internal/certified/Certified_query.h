@@ -23,7 +23,7 @@ namespace internal {
 class Certified_query
 {
 public:
-  typedef Surface_point<double> Place;
+  typedef Surface_point<double> Surface_point_;
   typedef Point_in_face<double> Point;
 
   Certified_query(const Certified_mesh& mesh, const Certified_sources& sources, const Certified_field& field)
@@ -32,10 +32,10 @@ public:
   }
 
   // Precondition: windows are kept, or p is a vertex. The result is in units of the certified mesh.
-  std::pair<double, double> operator()(const Place& p)
+  std::pair<double, double> operator()(const Surface_point_& p)
   {
     m_lower = m_upper = Number_policy<double>::infinity();
-    if (p.kind == Place::VERTEX) add_bounds(m_field.bounds.lower(p.element), m_field.bounds.upper(p.element));
+    if (p.kind == Surface_point_::VERTEX) add_bounds(m_field.bounds.lower(p.element), m_field.bounds.upper(p.element));
     else
       for (Index face : faces_of(m_mesh.unfolded(), p))
       {

@@ -65,7 +65,7 @@ class Certified_sources
 {
 public:
   typedef Point_in_face<double> Point;
-  typedef Surface_point<double> Place;
+  typedef Surface_point<double> Surface_point_;
 
   Certified_sources(const Certified_mesh& mesh, const Initial_windows<double>& initial) : m_mesh(mesh)
   {
@@ -94,17 +94,17 @@ public:
 
   // Computes the position of a point in the face frame, moved back into the closed face if rounding placed it outside.
   // Returns false if the point is not in the face. `edges` as in position_in_face().
-  bool place_in_face(const Place& p, Index face, Double_double_2& place, unsigned& edges) const
+  bool place_in_face(const Surface_point_& p, Index face, Double_double_2& place, unsigned& edges) const
   {
     Point position;
     if (!position_in_face(m_mesh.unfolded(), p, face, position, edges)) return false;
-    const int k = p.kind == Place::EDGE ? edge_of_bit(edges) : -1;
-    if (p.kind == Place::VERTEX)
+    const int k = p.kind == Surface_point_::EDGE ? edge_of_bit(edges) : -1;
+    if (p.kind == Surface_point_::VERTEX)
       for (int i = 0; i < 3; ++i)
       {
         if (m_mesh.unfolded().source(3 * face + Index(i)) == p.element) place = corner(face, i);
       }
-    else if (p.kind == Place::EDGE)
+    else if (p.kind == Surface_point_::EDGE)
     {
       const Double_double t = m_mesh.to_unit(p.x);
       place = on_edge(face, k, p.element == 3 * face + Index(k) ? t : m_mesh[p.element].length - t);
@@ -227,9 +227,9 @@ private:
     return {c.x + t * d.x, c.y + t * d.y};
   }
 
-  void add_point(const Place& p, double start_value)
+  void add_point(const Surface_point_& p, double start_value)
   {
-    if (p.kind == Place::VERTEX)
+    if (p.kind == Surface_point_::VERTEX)
     {
       vertices.push_back({p.element, start_value});
       return;
@@ -243,9 +243,10 @@ private:
     }
   }
 
-  void add_segment(const Place& p, const Place& q, double start_value)
+  void add_segment(const Surface_point_& p, const Surface_point_& q, double start_value)
   {
-    if (p.kind == Place::VERTEX && q.kind == Place::VERTEX && p.element == q.element) return; // a repeated point
+    if (p.kind == Surface_point_::VERTEX && q.kind == Surface_point_::VERTEX && p.element == q.element)
+      return; // a repeated point
     for (Index face : faces_of(m_mesh.unfolded(), p))
     {
       Double_double_2 a, b;

@@ -45,7 +45,7 @@ struct Curve_piece
 class Curve_region
 {
 public:
-  typedef Surface_point<double> Place;
+  typedef Surface_point<double> Surface_point_;
 
   explicit Curve_region(const Unfolded_mesh<double>& mesh) : m_mesh(mesh) {}
 
@@ -82,10 +82,10 @@ public:
   std::size_t part(Index h, std::size_t i) const { return m_first[h] + i; }
 
   // Where part i of a halfedge begins, also the one behind the last one.
-  Place begin_of_part(Index h, std::size_t i) const
+  Surface_point_ begin_of_part(Index h, std::size_t i) const
   {
-    if (i == 0) return Place::at_vertex(m_mesh.source(h));
-    return i == number_of_parts(h) ? Place::at_vertex(m_mesh.target(h)) : Place::on_edge(h, event(h, i - 1));
+    if (i == 0) return Surface_point_::at_vertex(m_mesh.source(h));
+    return i == number_of_parts(h) ? Surface_point_::at_vertex(m_mesh.target(h)) : Surface_point_::on_edge(h, event(h, i - 1));
   }
 
   bool is_carried(std::size_t part) const { return m_is_carried[part]; }
@@ -144,16 +144,16 @@ public:
 
   // Points of the surface in one order, with one name for each point of an edge.
   typedef std::tuple<int, Index, double, double> Key;
-  Key key(const Place& p) const
+  Key key(const Surface_point_& p) const
   {
-    if (p.kind == Place::EDGE) return {p.kind, edge_of(p.element), along_edge(p), 0.};
+    if (p.kind == Surface_point_::EDGE) return {p.kind, edge_of(p.element), along_edge(p), 0.};
     return {p.kind, p.element, p.x, p.y};
   }
 
-  bool is_on_border(const Place& p) const
+  bool is_on_border(const Surface_point_& p) const
   {
-    if (p.kind == Place::EDGE) return m_mesh.twin(p.element) == no_index;
-    if (p.kind == Place::FACE) return false;
+    if (p.kind == Surface_point_::EDGE) return m_mesh.twin(p.element) == no_index;
+    if (p.kind == Surface_point_::FACE) return false;
     bool result = false;
     m_mesh.for_each_fan(p.element, [&](Index first) { result = result || m_mesh.first_on_border(first) != no_index; });
     return result;
@@ -169,14 +169,17 @@ private:
   }
 
   // On the halfedge that names the edge.
-  double along_edge(const Place& p) const { return edge_of(p.element) == p.element ? p.x : m_mesh[p.element].length - p.x; }
+  double along_edge(const Surface_point_& p) const
+  {
+    return edge_of(p.element) == p.element ? p.x : m_mesh[p.element].length - p.x;
+  }
 
   void find_events(const std::vector<Curve_piece>& pieces)
   {
     m_events.clear();
     for (const Curve_piece& piece : pieces)
-      for (const Place& p : {piece.from, piece.to})
-        if (p.kind == Place::EDGE) m_events.push_back({edge_of(p.element), along_edge(p)});
+      for (const Surface_point_& p : {piece.from, piece.to})
+        if (p.kind == Surface_point_::EDGE) m_events.push_back({edge_of(p.element), along_edge(p)});
     std::sort(m_events.begin(), m_events.end());
     m_events.erase(std::unique(m_events.begin(), m_events.end()), m_events.end());
   }
@@ -205,7 +208,7 @@ private:
   }
 
   // The number of the event at a point of the edge of h, along h.
-  std::size_t event_at(Index h, const Place& p) const
+  std::size_t event_at(Index h, const Surface_point_& p) const
   {
     const auto range = events_of(edge_of(h));
     const Event e{edge_of(h), along_edge(p)};
@@ -215,16 +218,16 @@ private:
   }
 
   // The part of the border of a face that ends at a point; false if the point is not on the border.
-  bool find_part(Index face, const Place& p, std::size_t& part) const
+  bool find_part(Index face, const Surface_point_& p, std::size_t& part) const
   {
     for (Index h = 3 * face; h < 3 * face + 3; ++h)
     {
-      if (p.kind == Place::VERTEX && m_mesh.target(h) == p.element)
+      if (p.kind == Surface_point_::VERTEX && m_mesh.target(h) == p.element)
       {
         part = m_first[h + 1] - 1;
         return true;
       }
-      if (p.kind == Place::EDGE && edge_of(h) == edge_of(p.element))
+      if (p.kind == Surface_point_::EDGE && edge_of(h) == edge_of(p.element))
       {
         part = m_first[h] + event_at(h, p);
         return true;
@@ -241,22 +244,22 @@ private:
 
   void add(const Curve_piece& piece, std::size_t number)
   {
-    for (const Place& p : {piece.from, piece.to})
-      if (p.kind == Place::VERTEX) m_on_curve[p.element] = 1;
+    for (const Surface_point_& p : {piece.from, piece.to})
+      if (p.kind == Surface_point_::VERTEX) m_on_curve[p.element] = 1;
     if (piece.edge >= 0)
     {
       carry(3 * piece.face + Index(piece.edge), piece);
       return;
     }
     m_pieces_of_face.push_back({piece.face, number});
-    for (const Place& p : {piece.from, piece.to})
+    for (const Surface_point_& p : {piece.from, piece.to})
       if (std::size_t before; find_part(piece.face, p, before)) m_flips_behind[before] ^= 1;
   }
 
   // The number, on h, of the part that begins at a point of h.
-  std::size_t first_part_behind(Index h, const Place& p) const
+  std::size_t first_part_behind(Index h, const Surface_point_& p) const
   {
-    if (p.kind == Place::EDGE) return event_at(h, p) + 1;
+    if (p.kind == Surface_point_::EDGE) return event_at(h, p) + 1;
     return m_mesh.source(h) == p.element ? std::size_t(0) : number_of_parts(h);
   }
 

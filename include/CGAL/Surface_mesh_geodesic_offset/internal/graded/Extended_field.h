@@ -58,7 +58,7 @@ struct Extended_field
     results.clear(mesh.unfolded(), initial->start_values);
     typedef typename Extended_mesh<Number>::Traits Traits;
     const Traits traits;
-    Wavefront<Traits> front(mesh.unfolded(), *initial, traits, mesh.to_scale(maximum), keeps_windows,
+    Wavefront<Traits> front(mesh.unfolded(), *initial, traits, mesh.to_unit(maximum), keeps_windows,
                             Ignoring_consumer::reads_lists, results);
     front.limit_work(most_windows + most_windows_per_halfedge * mesh.unfolded().number_of_halfedges());
     Ignoring_consumer consumer;

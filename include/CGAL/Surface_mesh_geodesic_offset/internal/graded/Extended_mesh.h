@@ -94,8 +94,8 @@ public:
     return result;
   }
 
-  FT to_scale(double length) const { return scaled(length); }
-  double from_scale(const FT& length) const { return std::ldexp(length.high(), m_exponent); }
+  FT to_unit(double length) const { return scaled(length); }
+  double from_unit(const FT& length) const { return std::ldexp(length.high(), m_exponent); }
 
   // The parts of sources in the faces, up to a start value. Polylines are divided where they leave the faces. The ids of parts are
   // consecutive; the ids of their sources are appended to `source_of_part`.
@@ -106,7 +106,7 @@ public:
       if (!(s.start_value <= largest_start_value)) return;
       add_parts(s,
                 [&](typename Extended_sources::Kind kind, std::vector<Surface_point<FT>> points, std::vector<Index> halfedges) {
-        result.insert(source_of_part.size(), {kind, std::move(points), std::move(halfedges), to_scale(s.start_value), {}});
+        result.insert(source_of_part.size(), {kind, std::move(points), std::move(halfedges), to_unit(s.start_value), {}});
         source_of_part.push_back(Index(id));
       });
     });
@@ -199,7 +199,7 @@ private:
       return Surface_point<FT>::on_edge(h,
                                         position_in_frame(m_extended, h, FT(w[(k + 1) % 3] / sum), FT(w[(k + 2) % 3] / sum)).x);
     // The third coordinate is zero, or next to it: then the position is no less accurate than the location.
-    const FT part = w[(k + 2) % 3] == 0 ? w[(k + 1) % 3] / sum : to_scale(p.x) / to_scale(m_mesh[p.element].length);
+    const FT part = w[(k + 2) % 3] == 0 ? w[(k + 1) % 3] / sum : to_unit(p.x) / to_unit(m_mesh[p.element].length);
     return Surface_point<FT>::on_edge(h, (FT(1) - part) * m_extended[h].length);
   }
 

@@ -63,7 +63,7 @@ public:
 private:
   Bisector_diagram<double> in_double(const Bisector_diagram<Number>& d, const Extended_mesh<Number>& mesh) const
   {
-    const double scale = mesh.from_scale(Number(1));
+    const double scale = mesh.from_unit(Number(1));
     const std::vector<Index> vertex_of = mesh.original_vertices();
     const auto original_halfedge = [this](Index h) { return h == no_index ? h : 3 * m_faces[h / 3] + h % 3; };
     Bisector_diagram<double> result;
