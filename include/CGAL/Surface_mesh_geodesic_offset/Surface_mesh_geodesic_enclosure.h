@@ -82,6 +82,7 @@ private:
   typedef Geodesic_offset::internal::Geodesic_mesh_data<Geodesic_offset::internal::Surface_of<Mesh>> Data;
   typedef typename Data::Surface_point Surface_point;
   typedef Geodesic_offset::internal::Offset_certification Certification;
+  typedef Geodesic_offset::internal::Given_curves Given_curves;
   typedef Geodesic_offset::internal::Certified_mesh Certified_mesh;
 
 public:
@@ -311,7 +312,7 @@ public:
       throw std::invalid_argument("Surface_mesh_geodesic_enclosure: the distance of an offset is negative or not finite");
     Certification certification(*m_certified_mesh, b.sources, b.field, m_certified_mesh->to_unit(distance));
     for (const auto& curve : curves)
-      if (!add_curve(certification, curve, 0)) break;
+      if (!add_curve(certification.curves(), curve, 0)) break;
     return exported(certification());
   }
   /// @}
@@ -330,33 +331,34 @@ private:
   };
 
   template <class Offset_curve>
-  auto add_curve(Certification& certification, const Offset_curve& curve, int) const -> decltype(curve.pieces(), true)
+  auto add_curve(Given_curves& curves, const Offset_curve& curve, int) const -> decltype(curve.pieces(), true)
   {
     const auto unit = [&](const auto& p) {
       return Geodesic_offset::internal::Point_in_face<double>{m_certified_mesh->to_unit(p.x()),
                                                               m_certified_mesh->to_unit(p.y())};
     };
-    std::vector<Certification::Arc> arcs;
+    std::vector<Given_curves::Offset_piece> pieces;
     for (const auto& piece : curve.pieces())
-      arcs.push_back({data().surface().index_of(piece.face()), data().classified(piece.start()), data().classified(piece.end()),
-                      unit(piece.start_2()), unit(piece.end_2()), unit(piece.is_arc() ? piece.center() : piece.start_2()),
-                      piece.is_arc() ? m_certified_mesh->to_unit(piece.radius()) : 0.});
-    return certification.add_arcs(arcs, curve.is_closed());
+      pieces.push_back({data().surface().index_of(piece.face()), data().classified(piece.start()),
+                        data().classified(piece.end()), unit(piece.start_2()), unit(piece.end_2()),
+                        unit(piece.is_arc() ? piece.center() : piece.start_2()),
+                        piece.is_arc() ? m_certified_mesh->to_unit(piece.radius()) : 0.});
+    return curves.add_pieces(pieces, curve.is_closed());
   }
 
   template <class Curve>
-  bool add_curve(Certification& certification, const Curve& polyline, long) const
+  bool add_curve(Given_curves& curves, const Curve& polyline, long) const
   {
     std::vector<Surface_point> points;
     for (const auto& l : polyline.locations) points.push_back(data().classified(l));
-    return certification.add_polyline(points, polyline.is_closed);
+    return curves.add_polyline(points, polyline.is_closed);
   }
 
   Geodesic_offset_certificate<Face_location> exported(const Certification::Result& r) const
   {
     Geodesic_offset_certificate<Face_location> c;
     c.bounds_region = r.bounds_region;
-    c.tolerance = m_certified_mesh->from_unit(r.excess);
+    c.tolerance = m_certified_mesh->from_unit(r.tolerance);
     c.limit = r.limit;
     if (r.face != Geodesic_offset::internal::no_index)
       c.location =

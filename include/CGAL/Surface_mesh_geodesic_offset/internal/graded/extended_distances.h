@@ -21,11 +21,10 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// The distances of `vertices` from the parts of the sources in `faces`, along paths within these faces; infinite beyond `reach`.
-// Empty if a face has no positive area when laid out, or if there are too many windows.
-// `faces`: different, at least one; each of `vertices` is a corner of one of them. `point`: empty for a mesh by lengths.
-// `Number`: Extended_number; a parameter, as functions that are compiled separately are templates.
-// Precondition: rounds_to_nearest() and rounds_correctly().
+// The distances of `vertices` from the parts of the sources in `faces`, along paths within these faces; infinite beyond
+// `reach`. Empty if a face has no positive area when laid out, or if there are too many windows. `faces`: different, at least
+// one; each of `vertices` is a corner of one of them. `point`: empty for a mesh by lengths. `Number`: Extended_number; a
+// parameter, as functions that are compiled separately are templates. Precondition: rounds_to_nearest() and rounds_correctly().
 template <class Number>
 std::vector<double> extended_distances(const Unfolded_mesh<double>& mesh, const std::vector<Index>& faces,
                                        const Point_of_vertex& point, const Source_set<double>& sources, double reach,
