@@ -106,7 +106,7 @@ private:
       request.targets.push_back(start);
       Geodesic_build<Traits> build(m_mesh, sources, request);
       build.propagate(m_whole.m_traits);
-      const Path_start<Number> way = Path_starts<Number>(m_mesh, build.initial, build.field)(start);
+      const Path_start<Number> way = Path_start_query<Number>(m_mesh, build.initial, build.field)(start);
       std::vector<Path_crossing<Number>> passed;
       const auto collect = [&](const auto& p) { add(p, passed); };
       Path_elements<Number, decltype(collect)> elements(collect);

@@ -71,8 +71,8 @@ private:
   std::size_t m_pieces = 0;
 };
 
-// The distance of a point and the start of its path. Both are those of Path_starts, except near a source, where the distance is
-// the length of the traced path. A window that Lower_envelope::close_gap() has extended beyond its rays gives distances that
+// The distance of a point and the start of its path. Both are those of Path_start_query, except near a source, where the
+// distance is the length of the traced path. A window that Lower_envelope::close_gap() has extended beyond its rays gives distances that
 // are too small by up to an allowance relative to the edges. Far from the source, the allowance is rounding of the distance;
 // near the source, it is more. Vertices are measured once, after the build. The windows share the unmeasured distances of
 // vertices, so the field keeps both.
@@ -102,7 +102,7 @@ public:
     if constexpr (Number_policy<FT>::is_inexact)
     {
       if (!m_measures) return result;
-      const Path_starts<FT> starts(m_mesh, m_initial, m_field);
+      const Path_start_query<FT> starts(m_mesh, m_initial, m_field);
       const No_suffix_cache<FT> no_suffixes{};
       const FT limit = (std::min)(maximum, FT(m_field.start_values.largest() + FT(near_part) * m_mesh.longest_edge()));
       for (Index v = 0; v < m_mesh.number_of_vertices(); ++v)
@@ -192,7 +192,7 @@ template <class Suffix_cache>
 FT Near_path<FT>::distance(const Located_point<FT>& p, Suffix_cache& suffixes) const
 {
   if (p.kind == Surface_point<FT>::VERTEX) return m_field.distance_of_path(p.element);
-  const FT d = Path_starts<FT>(m_mesh, m_initial, m_field).distance(p);
+  const FT d = Path_start_query<FT>(m_mesh, m_initial, m_field).distance(p);
   return d > FT(0) && is_near(p, FT(d - m_field.start_values.largest())) ? measured(p, suffixes).distance : d;
 }
 
@@ -200,7 +200,7 @@ template <class FT>
 template <class Suffix_cache>
 Path_start<FT> Near_path<FT>::operator()(const Located_point<FT>& p, Suffix_cache& suffixes) const
 {
-  Path_start<FT> start = Path_starts<FT>(m_mesh, m_initial, m_field)(p);
+  Path_start<FT> start = Path_start_query<FT>(m_mesh, m_initial, m_field)(p);
   if (p.kind == Surface_point<FT>::VERTEX) set_distance(m_field.distance_of_path(p.element), start);
   else if (!start.is_at_source() && is_near(p, start.length()) && start.halfedge != no_index) measure(p, suffixes, start);
   return start;

@@ -19,31 +19,32 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// The window or vertex by which the shortest path of a point starts. All query results derive from this choice. In the frame of
-// a halfedge of the first face, the path runs straight from `from` to `to`: to the pseudo-source, or to the source if there is
-// no pseudo-source. Path_tracing follows the path to its end.
+// The first straight part of the shortest path from a point, by a window, a corner of the face, or the backtrace of a vertex.
+// All query results derive from this choice. In the frame of `halfedge`, the path runs straight from `from` to `to`, the image
+// of the pseudo-source, or of the end of the path if there is no pseudo-source. Path_tracing follows the path to its end.
 template <class FT>
 struct Path_start
 {
   FT distance = Number_policy<FT>::infinity();
   FT start_value = FT(0); // of the source
   Source_ref source_ref;  // source and side of the window; the part of the source is known at the end of the path only
-  bool is_below_start_value = false; // true if the distance is less, by more than rounding: a merged window may be farther back
+  bool is_below_start_value = false; // the distance is less than the start value by more than rounding: an error of merging
   Index pseudo_source = no_index;
-  Index halfedge = no_index; // of the first face; no_index at a source and at infinite distance
+  Index halfedge = no_index; // of the first face; no_index at infinite distance and at source vertices, see is_at_source()
   int exit = -1;             // edge through which the path leaves the face, counted from the halfedge; -1 if it does not leave
   Index edge = no_index;     // halfedge on which the point lies, for a point inside an edge
   Point_in_face<FT> from, to;
   Point_in_face<FT> direction;    // not normalized; near a source, `to` - `from` loses its digits
-  bool is_measured = false;       // true if the distance is the length of the traced path
-  FT distance_of_windows = FT(0); // of a measured path: the distance with which it is traced
+  bool is_measured = false;       // true if Near_path has replaced the distance by a more precise one
+  FT distance_of_windows = FT(0); // if measured: the distance before, with which the path is traced
 
   bool is_reached() const { return Number_policy<FT>::is_finite(distance); }
 
-  // Length of the path.
+  // Length of the path: the distance without the start value.
   FT length() const { return CGAL::is_zero(start_value) ? distance : FT(distance - start_value); }
   bool is_at_source() const { return !(start_value < distance) && !is_below_start_value; }
 
+  // The start with the distance by windows. Precondition: is_measured.
   Path_start before_measurement() const
   {
     Path_start result = *this;
@@ -53,13 +54,14 @@ struct Path_start
   }
 };
 
+// Finds the Path_start of a point. The distances of the field must be final.
 template <class FT>
-class Path_starts
+class Path_start_query
 {
 public:
   typedef Point_in_face<FT> Point;
 
-  Path_starts(const Unfolded_mesh<FT>& mesh, const Initial_windows<FT>& initial, const Geodesic_field<FT>& field)
+  Path_start_query(const Unfolded_mesh<FT>& mesh, const Initial_windows<FT>& initial, const Geodesic_field<FT>& field)
     : m_mesh(mesh), m_initial(initial), m_field(field)
   {
   }
@@ -71,7 +73,7 @@ public:
     if (p.kind == Surface_point<FT>::EDGE) return at_point(p, distance(p));
     const Nearest nearest = nearest_in(p.element, p.weights);
     Path_start<FT> start;
-    if (!starts_clearly(p, nearest, start)) start = at_point(p, nearest.distance);
+    if (!find_clear_start(p, nearest, start)) start = at_point(p, nearest.distance);
     return start;
   }
 
@@ -91,7 +93,7 @@ public:
     if constexpr (!Number_policy<FT>::is_inexact)
       if (dot(u, u) != FT(1))
       {
-        start.to = u; // the vector to the image; only parallel rays and edges have unit vectors
+        start.to = u; // the vector to the image; unit vectors are those of parallel rays and edges
         return start;
       }
     FT way = start.length();
@@ -122,14 +124,15 @@ private:
   struct Nearest : Nearest_kept_window<FT>
   {
     FT distance = Number_policy<FT>::infinity();
-    FT by_corner = Number_policy<FT>::infinity(); // length of the shortest path through a corner
+    FT by_corner = Number_policy<FT>::infinity(); // smallest distance by way of a corner
     int corner = 0;
-    bool is_near_source = false; // true if a source lies in the face
-    FT start_value = FT(0);      // of the source in the face with the shortest straight path
-    Per_corner<Point> q;         // the point in the frames of the face's halfedges
+    bool has_local_windows = false; // of sources in the face or at its corners; evaluated only if corner 0 is near enough
+    FT start_value = FT(0);         // of the source in the face with the shortest straight path
+    Per_corner<Point> q;            // the point in the frames of the face's halfedges
   };
 
-  // Reads the packed windows. Of paths that tie, a straight path has the most precise distance.
+  // The nearest window and corner for the point of a face with barycentric coordinates w, and its distance. Of paths that tie,
+  // a straight path has the most precise distance.
   Nearest nearest_in(Index face, const Per_corner<FT>& w) const
   {
     Nearest n;
@@ -151,14 +154,15 @@ private:
     }
     const FT extent = m_mesh[h].length + m_mesh[h + 1].length + m_mesh[h + 2].length;
     // Upper bound of the distances of the corners of a face that contains a source.
-    if (!is_reached || d[0] <= extent + m_field.start_values.largest()) look_at_sources(face, n);
-    const FT nearby = Number_policy<FT>::is_inexact ? FT(1. / (1 << 20)) : FT(0);
-    m_field.kept.find_nearest(face, n.q, FT(nearby * (n.by_corner + extent)), m_field.distance, n);
+    if (!is_reached || d[0] <= extent + m_field.start_values.largest()) add_local_windows(face, n);
+    // Part of the lengths that is far above rounding; more candidates only take time.
+    const FT candidate_fraction = Number_policy<FT>::is_inexact ? FT(1. / (1 << 20)) : FT(0);
+    m_field.kept.find_nearest(face, n.q, FT(candidate_fraction * (n.by_corner + extent)), m_field.distance, n);
     const FT shortest = (std::min)({n.straight, n.bent, n.by_corner});
     const FT tie = shortest + Number_policy<FT>::rounding(16) * shortest;
     n.distance = n.straight <= tie ? n.straight : n.by_corner <= tie ? n.by_corner : shortest;
     const FT s = start_value(face, n);
-    // On the source. With a tolerance, a window of the source may give less than the start value by more than rounding.
+    // A point on the source has the start value. Merged windows may give less by more than rounding; this distance stays.
     const FT size = size_of_point(m_mesh, face), least = s - size - window_allowance<FT>(s + extent);
     if (n.distance <= s + size && n.distance >= least) n.distance = s;
     return n;
@@ -176,11 +180,12 @@ private:
            : starts.of(m_field.kept.rays_of_window(n.window, m_field.distance, m_field.source_ref).source_ref);
   }
 
-  // A point of a source segment may lie behind both of its sides, since the ends of the segment are rounded.
-  void look_at_sources(Index face, Nearest& n) const
+  // Adds the paths from sources in the face and at its corners. A point of a source segment may lie behind both of its sides,
+  // since the ends of the segment are rounded.
+  void add_local_windows(Index face, Nearest& n) const
   {
     const auto local = local_windows(m_initial, face);
-    n.is_near_source = local.first != local.second;
+    n.has_local_windows = local.first != local.second;
     for (auto i = local.first; i != local.second; ++i)
     {
       bool is_straight;
@@ -196,11 +201,13 @@ private:
     }
   }
 
-  // Sets the start if one window or one corner is certainly the nearest. Returns false if a closer look is needed.
-  bool starts_clearly(const Located_point<FT>& p, const Nearest& n, Path_start<FT>& start) const
+  // Sets the start if it needs no rule for ties: a straight path of the smallest distance that is not of a cap, or a path to a
+  // corner if all windows are farther by more than rounding. Returns true if so, and for a point that is not reached. Returns
+  // false otherwise, and if the face has local windows.
+  bool find_clear_start(const Located_point<FT>& p, const Nearest& n, Path_start<FT>& start) const
   {
     if (!Number_policy<FT>::is_finite(n.distance)) return true;
-    if (n.is_near_source) return false;
+    if (n.has_local_windows) return false;
     start.distance = n.distance;
     if (n.window != no_index && n.distance == n.straight)
     {
@@ -215,7 +222,7 @@ private:
       if (start.pseudo_source != no_index)
         for (int k = 0; k < 3; ++k)
           if (m_mesh.source(3 * p.element + Index(k)) == start.pseudo_source)
-            lead_by_vertex(3 * p.element + Index(k), n.q[k], start);
+            set_path_to_corner(3 * p.element + Index(k), n.q[k], start);
     }
     else
     {
@@ -223,12 +230,12 @@ private:
       const FT extent = m_mesh[h].length + m_mesh[h + 1 - 3 * Index(n.corner == 2)].length;
       const FT tied = n.distance + window_allowance<FT>(n.distance + extent);
       if (n.distance != n.by_corner || m_field.is_source(v) || (std::min)(n.straight, n.bent) <= tied) return false;
-      lead_by_vertex(h, n.q[n.corner], start);
+      set_path_to_corner(h, n.q[n.corner], start);
     }
     return true;
   }
 
-  // Calls f(face, position in its frame, number of the edge that the point is on or -1).
+  // Calls f(face, position in its frame, number of the edge that p is on or -1). Precondition: p is not a vertex.
   template <class Function>
   void for_each_face(const Surface_point<FT>& p, const Function& f) const
   {
@@ -242,6 +249,7 @@ private:
       }
   }
 
+  // `distance`: of p, which is not a vertex.
   Path_start<FT> at_point(const Surface_point<FT>& p, const FT& distance) const
   {
     Path_start<FT> start;
@@ -254,23 +262,24 @@ private:
       field.set_face_at(f, q, distance);
       choose(field, q, edge, start, choice);
     });
-    // The image of a merged window may be so far away that the rounding of the distance exceeds that of ties.
+    // Without a tie, all windows count: the image of a merged window may be so far away that the rounding of the distance
+    // exceeds that of ties.
     if (choice.preference < 0)
       for_each_face(p, [&](Index f, const Point& q, int edge) {
         field.set_face(f);
         choose(field, q, edge, start, choice);
       });
     // In a face with the pseudo-source as a corner, the path leads straight to the corner; in needles, images are less precise.
-    if (start.pseudo_source != no_index && start.halfedge % 3 == 0)
+    if (start.pseudo_source != no_index)
       for (int k = 0; k < 3; ++k)
         if (const Index h = start.halfedge + Index(k); m_mesh.source(h) == start.pseudo_source)
         {
           const Face_frame<FT> frame(m_mesh, m_mesh.face(h));
-          lead_by_vertex(h, frame.vector_to_halfedge(k, start.from - frame.corner(k)), start);
+          set_path_to_corner(h, frame.vector_to_halfedge(k, start.from - frame.corner(k)), start);
           return start;
         }
-    // A path through the edge of the point starts in the face on the other side.
-    if (start.exit != -1 && p.kind == Surface_point<FT>::EDGE && !goes_along_edge(start))
+    // A path that leaves the face through the edge of the point starts in the face beyond this edge.
+    if (start.exit != -1 && p.kind == Surface_point<FT>::EDGE && !redirect_along_edge(start))
     {
       Straight_walk<FT> walk(m_mesh, start.halfedge, start.from, start.to);
       const Index h = walk.edge(start.exit), beyond = m_mesh.twin(h);
@@ -291,7 +300,7 @@ private:
   struct Choice
   {
     int preference = -1;
-    FT length = Number_policy<FT>::infinity();
+    FT distance = Number_policy<FT>::infinity();
   };
 
   // Chooses the window of a face by which the path from q starts. `edge`: number of the edge that contains q, or -1.
@@ -306,40 +315,43 @@ private:
       const bool ties = field.tie(d, start.distance), is_straight = field.contains(i, q);
       // A straight path is preferred to a path around the end of a window that is shorter by rounding.
       const bool may_start = ties || (is_straight && field.tie_in_margin(d, start.distance));
-      // A path around the end of a strip leads to the end of the segment, as the rays of the cap do.
-      const bool is_of_its_kind = is_straight ? !field.is_cap(i) : !w.is_parallel();
+      // A straight path of a side is preferred to one of the cap. A path around the end of a strip leads to the end of the
+      // segment, as the rays of the cap do, so these are preferred.
+      const bool is_preferred_kind = is_straight ? !field.is_cap(i) : !w.is_parallel();
+      // In this order, see "Consistent results" in the manual: a straight path that ties, a straight path in a margin, a path of
+      // the preferred kind, a path that stays in the face.
       const int preference =
-        may_start ? 8 * int(is_straight && ties) + 4 * int(is_straight) + 2 * int(is_of_its_kind) + int(stays) : -1;
-      if (preference < best.preference || (preference == best.preference && !(d < best.length))) continue;
+        may_start ? 8 * int(is_straight && ties) + 4 * int(is_straight) + 2 * int(is_preferred_kind) + int(stays) : -1;
+      if (preference < best.preference || (preference == best.preference && !(d < best.distance))) continue;
       best = {preference, d};
       set(start, field.face(), q, w, is_straight);
     }
   }
 
   // Replaces a path that runs along an edge, up to rounding, by the path through the vertex at the end of the edge, if both
-  // have the same length. Returns true if it does so.
-  bool goes_along_edge(Path_start<FT>& start) const
+  // have the same length. Returns true if it does so. Precondition: the path leaves the face.
+  bool redirect_along_edge(Path_start<FT>& start) const
   {
     const Index h = 3 * m_mesh.face(start.halfedge) + Index(start.exit), n = m_mesh.next(h);
     const Face_frame<FT> frame(m_mesh, m_mesh.face(h));
     const FT& edge = m_mesh[h].length;
-    const FT from = frame.along(start.exit, start.from), to = frame.along(start.exit, start.to);
+    const FT along_from = frame.along(start.exit, start.from), along_to = frame.along(start.exit, start.to);
     const FT allowance = window_allowance<FT>(start.distance + edge);
     if (CGAL::abs(frame.height(start.exit, start.from)) > allowance) return false; // a point of another edge
     if (CGAL::abs(frame.height(start.exit, start.to)) > allowance) return false;
-    const bool ahead = to > from;
-    const FT way = ahead ? FT(edge - from) : from;
+    const bool ahead = along_to > along_from;
+    const FT way = ahead ? FT(edge - along_from) : along_from;
     const Index v = ahead ? m_mesh.target(h) : m_mesh.source(h);
-    // Rays from source vertices are among the windows.
+    // A vertex that is a source has windows of its own.
     const FT& d = m_field.distance[v];
     if (m_field.is_source(v) || CGAL::abs(FT(d + way - start.distance)) > allowance) return false;
-    if (ahead) lead_by_vertex(n, (way / edge) * Point{m_mesh[n].apex_x, m_mesh[n].apex_y}, start);
-    else lead_by_vertex(h, {way, FT(0)}, start);
+    if (ahead) set_path_to_corner(n, (way / edge) * Point{m_mesh[n].apex_x, m_mesh[n].apex_y}, start);
+    else set_path_to_corner(h, {way, FT(0)}, start);
     return true;
   }
 
-  // Sets the path from a point, in the frame of h, to the source vertex of h.
-  void lead_by_vertex(Index h, const Point& from, Path_start<FT>& start) const
+  // Sets the path from a point, in the frame of h, straight to the vertex at which h starts. The distance must be set.
+  void set_path_to_corner(Index h, const Point& from, Path_start<FT>& start) const
   {
     const Index v = m_mesh.source(h);
     set_source(m_field.source_ref[v], start);
@@ -359,15 +371,17 @@ private:
       start.distance < start.start_value - window_allowance<FT>(start.start_value + m_mesh.longest_edge());
   }
 
-  // Sets the goal, the image of the window. `from` and the distance must be set.
-  static void set_goal(Path_start<FT>& start, const Point& image, bool is_parallel)
+  // Sets the goal, the image of the window; for parallel rays, from their unit vector towards the source. `from`, the distance
+  // and the start value must be set.
+  static void set_goal(Path_start<FT>& start, const Point& image_or_direction, bool is_parallel)
   {
-    start.direction = is_parallel ? image : image - start.from;
-    start.to = is_parallel ? start.from + start.length() * image : image;
+    start.direction = is_parallel ? image_or_direction : image_or_direction - start.from;
+    start.to = is_parallel ? start.from + start.length() * image_or_direction : image_or_direction;
   }
 
-  // `is_straight`: false for a path around the end of the window. Such a path leads to the end of a strip, where another source
-  // or the rays of the cap begin; the image of a point, behind the end, is more precise than the end.
+  // Sets the path from p by window w. `is_straight`: false for a path around the end of the window. Such a path is aimed at the
+  // image of the window, which is more precise than the end; for a strip, at the source point whose ray leads to the end. With
+  // exact numbers, a path by a strip has the direction of its rays.
   void set(Path_start<FT>& start, Index face, const Point& p, const Face_window<FT>& w, bool is_straight) const
   {
     set_source(w.source_ref, start);

@@ -424,7 +424,7 @@ private:
 
   const Unfolded_mesh<FT>& m_mesh;
   const Geodesic_field<FT>& m_field;
-  const Path_starts<FT> m_start;
+  const Path_start_query<FT> m_start;
   const Path_goals<FT> m_goals;
 };
 
