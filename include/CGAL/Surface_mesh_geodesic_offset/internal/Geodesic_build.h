@@ -148,20 +148,20 @@ private:
     Consumer& consumer;
 
     template <class Team>
-    void take(const std::vector<Index>& faces, Team& team)
+    void process_finalized(const std::vector<Index>& faces, Team& team)
     {
       if (search != nullptr) search->add(faces);
-      consumer.take(faces, team);
+      consumer.process_finalized(faces, team);
     }
-    void settle(const FT& distance) { consumer.settle(distance); }
+    void settled_up_to(const FT& distance) { consumer.settled_up_to(distance); }
     bool needs_pending_faces(const FT& settled, std::size_t number, const std::vector<Index>& finalized)
     {
       return consumer.needs_pending_faces(settled, number, finalized);
     }
     template <class Team>
-    void take_pending(const std::vector<Index>& faces, const FT& settled, Team& team)
+    void process_pending(const std::vector<Index>& faces, const FT& settled, Team& team)
     {
-      consumer.take_pending(faces, settled, team);
+      consumer.process_pending(faces, settled, team);
     }
   };
 

@@ -46,11 +46,11 @@ struct Ignoring_consumer
 {
   static constexpr bool reads_lists = false;
   template <class Team>
-  void take(const std::vector<Index>&, Team&)
+  void process_finalized(const std::vector<Index>&, Team&)
   {
   }
   template <class FT>
-  void settle(const FT&)
+  void settled_up_to(const FT&)
   {
   }
 };
@@ -83,15 +83,16 @@ public:
   // Propagates from the source primitives with numbers of at least `first_primitive`. Known distances stay unless a shorter path
   // is found.
   //
-  // consumer.take(faces, team) receives finalized faces, each face once. The distances of their corners are final, and so are the
-  // lists of their halfedges if Consumer::reads_lists. `team`: the threads that may help. The other functions of the consumer
-  // are called only if Consumer::reads_lists:
+  // consumer.process_finalized(faces, team) receives finalized faces, each face once. The distances of their corners are final,
+  // and so are the lists of their halfedges if Consumer::reads_lists. `team`: the threads that may help. The other functions of
+  // the consumer are called only if Consumer::reads_lists:
   //
-  // - consumer.settle(distance): all faces with points nearer than `distance` have been passed to take().
+  // - consumer.settled_up_to(distance): all faces with points nearer than `distance` have been passed to process_finalized().
   // - consumer.needs_pending_faces(distance, number, finalized): returns whether it needs faces before they are finalized.
-  //   `number`: of the pending and the finalized faces together; `finalized`: the faces of the next take().
-  // - consumer.take_pending(faces, distance, team): receives all faces with points nearer than `distance` that have not been passed
-  //   to take(); distances and windows nearer than `distance` are final.
+  //   `number`: of the pending and the finalized faces together; `finalized`: those of the next
+  //   process_finalized().
+  // - consumer.process_pending(faces, distance, team): receives all faces with points nearer than `distance` that have not been
+  //   passed to process_finalized(); distances and windows nearer than `distance` are final.
   //
   // goes_on(distance, faces) is called periodically when all points up to `distance` are final; `faces` is the number of
   // finalized faces. If it returns false, `distance` becomes the distance limit.
@@ -121,7 +122,7 @@ public:
       if constexpr (Consumer::reads_lists)
         if (const std::size_t oldest = m_state.pending_faces.oldest(m_state.current()); oldest > settled_bucket)
         { // one bucket less, likewise
-          consumer.settle(FT(double(oldest - 1) * m_state.bucket_width()));
+          consumer.settled_up_to(FT(double(oldest - 1) * m_state.bucket_width()));
           settled_bucket = oldest;
         }
       m_front.finalize_faces(m_finalizer, m_finalized);
@@ -214,7 +215,7 @@ private:
     const std::vector<Index>& faces = m_finalized.faces;
     if (faces.empty()) return;
     auto&& team = m_front.team();
-    consumer.take(faces, team);
+    consumer.process_finalized(faces, team);
     if (m_keep) m_state.field.kept.keep(faces, m_state.field.lists, m_state.field.distance, m_mesh.number_of_faces(), team);
     m_front.release(faces);
     m_number_of_finalized += faces.size();
@@ -248,7 +249,7 @@ private:
       faces.push_back(f);
     }
     auto&& team = m_front.team();
-    consumer.take_pending(faces, settled, team);
+    consumer.process_pending(faces, settled, team);
   }
 
   const Unfolded_mesh<FT>& m_mesh;

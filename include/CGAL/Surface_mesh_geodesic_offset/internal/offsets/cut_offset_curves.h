@@ -93,7 +93,7 @@ public:
   }
 
   template <class Team>
-  void take(const std::vector<Index>& faces, Team& team)
+  void process_finalized(const std::vector<Index>& faces, Team& team)
   {
     add_time_of([&] { this->m_extraction.cut(faces, team); });
   }
@@ -104,7 +104,7 @@ public:
   }
 
   template <class Team>
-  void take_pending(const std::vector<Index>& faces, const FT& settled, Team& team)
+  void process_pending(const std::vector<Index>& faces, const FT& settled, Team& team)
   {
     add_time_of([&] {
       this->m_extraction.cut_pending(faces, m_tolerance.least_of(settled), team, [this](const FT& distance) {
@@ -113,7 +113,7 @@ public:
     });
   }
 
-  void settle(const FT& distance) { release(m_tolerance.least_of(distance)); }
+  void settled_up_to(const FT& distance) { release(m_tolerance.least_of(distance)); }
 
   // Releases the curves up to the distance of the propagation.
   void finish(const FT& distance, Geodesic_offset_statistics& statistics)
