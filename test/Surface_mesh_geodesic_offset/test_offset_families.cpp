@@ -327,6 +327,11 @@ void streaming()
   geodesic.build();
   const std::size_t all = count;
   CHECK_DETAIL(all > 1000, std::to_string(all));
+  // without levels, a build without windows is not repeated
+  count = 0;
+  std::size_t levels = 0;
+  geodesic.offset_curves_by_distance(std::vector<double>(), [&](double, std::vector<Counted::Offset_curve>&&) { ++levels; });
+  CHECK_DETAIL(count == 0 && levels == 0, std::to_string(count));
   for (const bool keep : {false, true})
   {
     std::vector<std::size_t> counts;

@@ -1,8 +1,9 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The functions that may be compiled separately, see separate_compilation.h: those that take the compiler longest and do not
-// depend on the types of the user.
+// The instances of templates that may be compiled separately, see separate_compilation.h: those that take the compiler longest
+// and do not depend on the type of the mesh, for double or the kernel Epick, and for one thread. All other instances are
+// compiled where they are used.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_COMPILATION_SEPARATE_FUNCTIONS_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_COMPILATION_SEPARATE_FUNCTIONS_H
@@ -26,21 +27,23 @@
 #include <optional>
 #include <vector>
 
-// `instantiation`: `extern template` or `template`
+// List of explicit instantiations. Members in the list are defined outside of their classes, and no function is `inline` or
+// returns `auto`: `extern template` does not suppress the instantiation of such functions.
+// `instantiation`: `extern template`, which declares, or `template`, which defines.
 #define CGAL_GEODESIC_OFFSET_SEPARATE_FUNCTIONS(instantiation)                                                                 \
   instantiation Initial_windows<double> Source_set<double>::initial_windows(const Unfolded_mesh<double>&) const;               \
   instantiation void Source_set<double>::check(const Unfolded_mesh<double>&, const Source_set<double>::Source&);               \
-  instantiation void Geodesic_build<Traits_with_epick>::propagate<Sequential_tag, false>(const Traits_with_epick&);            \
+  instantiation void Geodesic_build<Epick_traits>::propagate<Sequential_tag, false>(const Epick_traits&);                      \
   instantiation void cut_finalized_faces<Sequential_tag, false>(                                                               \
-    const Unfolded_mesh<double>&, Geodesic_build<Traits_with_epick>&, const Traits_with_epick&, const Offset_levels<double>&,  \
+    const Unfolded_mesh<double>&, Geodesic_build<Epick_traits>&, const Epick_traits&, const Offset_levels<double>&,            \
     const Level_output<double>&);                                                                                              \
-  instantiation void cut_all_faces<Sequential_tag>(const Unfolded_mesh<double>&, const Geodesic_build<Traits_with_epick>&,     \
+  instantiation void cut_all_faces<Sequential_tag>(const Unfolded_mesh<double>&, const Geodesic_build<Epick_traits>&,          \
                                                    const Offset_levels<double>&, const Level_output<double>&);                 \
-  instantiation double Near_path<double>::distance(const Located_point<double>&, Suffixes_on_mesh&) const;                     \
-  instantiation Path_start<double> Near_path<double>::operator()(const Located_point<double>&, Suffixes_on_mesh&) const;       \
+  instantiation double Near_path<double>::distance(const Located_point<double>&, Suffix_cache_on_mesh&) const;                 \
+  instantiation Path_start<double> Near_path<double>::operator()(const Located_point<double>&, Suffix_cache_on_mesh&) const;   \
   instantiation std::optional<Bisector_diagram<double>> find_bisectors<double>(                                                \
     const Unfolded_mesh<double>&, const Initial_windows<double>&, const Geodesic_field<double>&, const Bisector_limits&);      \
-  instantiation std::map<Index, Source_side> inner_sides(const Unfolded_mesh<double>&, const Traits_with_epick&,               \
+  instantiation std::map<Index, Source_side> inner_sides(const Unfolded_mesh<double>&, const Epick_traits&,                    \
                                                          const Source_set<double>&);                                           \
   instantiation std::vector<double> extended_distances<Extended_number>(                                                       \
     const Unfolded_mesh<double>&, const std::vector<Index>&, const Point_of_vertex&, const Source_set<double>&, double,        \
@@ -52,8 +55,9 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-typedef Surface_mesh_geodesic_offset_traits<Exact_predicates_inexact_constructions_kernel, void> Traits_with_epick;
-typedef Path_suffix_cache<double, Path_crossing<double>> Suffixes_on_mesh;
+// The types in the list. For the functors of the package, Computation replaces the traits of any mesh by those with void.
+typedef Surface_mesh_geodesic_offset_traits<Exact_predicates_inexact_constructions_kernel, void> Epick_traits;
+typedef Path_suffix_cache<double, Path_crossing<double>> Suffix_cache_on_mesh;
 
 CGAL_GEODESIC_OFFSET_SEPARATE_FUNCTIONS(extern template)
 

@@ -89,8 +89,7 @@ public:
   //
   // - consumer.settled_up_to(distance): all faces with points nearer than `distance` have been passed to process_finalized().
   // - consumer.needs_pending_faces(distance, number, finalized): returns whether it needs faces before they are finalized.
-  //   `number`: of the pending and the finalized faces together; `finalized`: those of the next
-  //   process_finalized().
+  //   `number`: of the pending and the finalized faces together; `finalized`: those of the next process_finalized().
   // - consumer.process_pending(faces, distance, team): receives all faces with points nearer than `distance` that have not been
   //   passed to process_finalized(); distances and windows nearer than `distance` are final.
   //

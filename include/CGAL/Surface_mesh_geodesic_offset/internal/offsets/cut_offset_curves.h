@@ -59,12 +59,15 @@ auto curve_writer(OutputIterator& out)
   return [&out](const auto&, std::vector<Curve>&& curves) { out = std::move(curves.begin(), curves.end(), out); };
 }
 
+// The output of the levels of a build to f. Propagates from each closed polyline if its inner or outer side is selected; then
+// std::invalid_argument is thrown if a polyline has no such side. It is also thrown if unlimited levels are too close.
+// `build`, `levels` and `f` must outlive the result.
 template <class Surface, class Build, class Function>
 auto make_curve_output(const Geodesic_mesh_data<Surface>& mesh, const Build& build,
                        const Offset_levels<typename Surface::Number>& levels, const Offset_selection& selection, Function& f)
 {
   typedef Offset_tolerances<typename Surface::Number> Tolerances;
-  // Levels with a spacing within rounding would never end.
+  // With a spacing below the rounding of distances, the number of levels would be practically unlimited.
   if (levels.is_unlimited() && levels[0] < Tolerances::least_spacing(mesh.unfolded().longest_edge()))
     throw std::invalid_argument("Surface_mesh_geodesic_offset: the spacing of offsets is less than the rounding of "
                                 "distances");
@@ -74,17 +77,18 @@ auto make_curve_output(const Geodesic_mesh_data<Surface>& mesh, const Build& bui
                                          build.request().tolerance, levels, selection, std::move(inside), f);
 }
 
-// Takes the curves of a level, which is given by its index.
+// Receives the curves of a level, which is given by its index.
 template <class FT>
 using Level_output = std::function<void(std::size_t, const Level_curves<FT>&)>;
 
-// Consumer of faces that cuts the levels in them (see Wavefront::run()). Calls the output for each finished level with curves.
+// Consumer of Wavefront::run() that cuts faces at all levels. Calls the output for each level that is complete and has curves.
 template <class FT>
 class Level_cutter
 {
 public:
   static constexpr bool reads_lists = true;
 
+  // `out` must outlive this object.
   template <class Build>
   Level_cutter(const Unfolded_mesh<FT>& mesh, const Build& build, const Offset_levels<FT>& levels, const Level_output<FT>& out)
     : m_tolerance(build.request().tolerance),
@@ -115,7 +119,8 @@ public:
 
   void settled_up_to(const FT& distance) { release(m_tolerance.least_of(distance)); }
 
-  // Releases the curves up to the distance of the propagation.
+  // Releases the remaining curves up to the distance of the propagation, and completes the statistics of Geodesic_build::run(),
+  // whose propagation time then excludes cutting and output. To be called once, after run().
   void finish(const FT& distance, Geodesic_offset_statistics& statistics)
   {
     m_extraction.release_all(distance, m_out);
@@ -138,7 +143,7 @@ private:
     m_seconds_within_propagation += seconds_since(start);
   }
 
-  // Without the time of release().
+  // Adds the time of cutting to both times. release(), which `cutting` may call, adds its own time to the second one only.
   template <class Cutting>
   void add_time_of(const Cutting& cutting)
   {
@@ -150,19 +155,21 @@ private:
     m_seconds_within_propagation += time;
   }
 
-  const Merging_tolerance<FT> m_tolerance; // a point nearer than a level may be settled only at the exact distance
+  const Merging_tolerance<FT> m_tolerance; // unsettled points may be nearer than the settled distance by this
   Offset_extraction<FT> m_extraction;
   const Level_output<FT>& m_out;
-  double m_seconds = 0, m_seconds_within_propagation = 0;
+  double m_seconds = 0;                    // of cutting
+  double m_seconds_within_propagation = 0; // of cutting and output
 };
 
-// Cuts the levels in all faces, from kept windows. May be compiled separately (separate_functions.h), as the next function.
+// Cuts all faces at all levels. Precondition: build.kept. This function and cut_finalized_faces() may be compiled separately
+// (separate_functions.h).
 template <class Concurrency_tag, class Traits>
 void cut_all_faces(const Unfolded_mesh<typename Traits::FT>& mesh, const Geodesic_build<Traits>& build,
                    const Offset_levels<typename Traits::FT>& levels, const Level_output<typename Traits::FT>& out)
 {
   typedef typename Traits::FT FT;
-  constexpr std::size_t at_once = 1 << 12;
+  constexpr std::size_t at_once = 1 << 12; // faces per call of cut(), which lists them with their levels
   Offset_extraction<FT> extraction(mesh, build.initial, build.field, levels, build.maximum, build.request().tolerance);
   {
     auto&& team = Concurrency<Concurrency_tag, FT>::Team::make();
@@ -178,7 +185,7 @@ void cut_all_faces(const Unfolded_mesh<typename Traits::FT>& mesh, const Geodesi
   extraction.release_all(build.maximum, out);
 }
 
-// Propagates, and cuts the levels in the finalized faces. `may_search` as in Geodesic_build::propagate().
+// Propagates, and cuts the finalized faces at all levels. `may_search` as in Geodesic_build::propagate().
 template <class Concurrency_tag, bool may_search, class Traits>
 void cut_finalized_faces(const Unfolded_mesh<typename Traits::FT>& mesh, Geodesic_build<Traits>& build, const Traits& traits,
                          const Offset_levels<typename Traits::FT>& levels, const Level_output<typename Traits::FT>& out)
@@ -198,22 +205,22 @@ void propagate_and_cut(const Geodesic_mesh_data<Surface>& mesh, Build& build,
   output.finish();
 }
 
-// Calls f(distance, curves) for each level of a finished build.
+// Overload for a finished build: from its windows, or, if they were not kept, by a second propagation up to the largest level.
 template <class Concurrency_tag, class Surface, class Build, class Function>
 void cut_offset_curves(const Geodesic_mesh_data<Surface>& mesh, const Build& build,
                        const Offset_levels<typename Surface::Number>& levels, const Offset_selection& selection, Function& f)
 {
-  if (build.kept)
+  if (build.kept || levels.size() == 0)
   {
-    const auto output = make_curve_output(mesh, build, levels, selection, f);
-    cut_all_faces<Concurrency_tag>(mesh.unfolded(), build, levels, std::cref(output));
+    const auto output = make_curve_output(mesh, build, levels, selection, f); // also without levels: checks the selection
+    if (levels.size() != 0) cut_all_faces<Concurrency_tag>(mesh.unfolded(), build, levels, std::cref(output));
     output.finish();
     return;
   }
   typename Surface::Number maximum = build.maximum;
-  if (!levels.is_unlimited() && levels.size() > 0) maximum = (std::min)(maximum, levels[levels.size() - 1]);
-  Build again(mesh.unfolded(), build.sources, {maximum, false, {}, {}, build.request().tolerance});
-  propagate_and_cut<Concurrency_tag>(mesh, again, levels, selection, f);
+  if (!levels.is_unlimited()) maximum = (std::min)(maximum, levels[levels.size() - 1]);
+  Build second_build(mesh.unfolded(), build.sources, {maximum, false, {}, {}, build.request().tolerance});
+  propagate_and_cut<Concurrency_tag>(mesh, second_build, levels, selection, f);
 }
 
 } // namespace internal

@@ -72,10 +72,10 @@ private:
 };
 
 // The distance of a point and the start of its path. Both are those of Path_start_query, except near a source, where the
-// distance is the length of the traced path. A window that Lower_envelope::close_gap() has extended beyond its rays gives distances that
-// are too small by up to an allowance relative to the edges. Far from the source, the allowance is rounding of the distance;
-// near the source, it is more. Vertices are measured once, after the build. The windows share the unmeasured distances of
-// vertices, so the field keeps both.
+// distance is the length of the traced path. A window that Lower_envelope::close_gap() has extended beyond its rays gives
+// distances that are too small by up to an allowance relative to the edges. Far from the source, the allowance is rounding of
+// the distance; near the source, it is more. Vertices are measured once, after the build. The windows share the unmeasured
+// distances of vertices, so the field keeps both.
 template <class FT>
 class Near_path
 {

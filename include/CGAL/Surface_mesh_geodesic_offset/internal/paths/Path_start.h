@@ -318,8 +318,8 @@ private:
       // A straight path of a side is preferred to one of the cap. A path around the end of a strip leads to the end of the
       // segment, as the rays of the cap do, so these are preferred.
       const bool is_preferred_kind = is_straight ? !field.is_cap(i) : !w.is_parallel();
-      // In this order, see "Consistent results" in the manual: a straight path that ties, a straight path in a margin, a path of
-      // the preferred kind, a path that stays in the face.
+      // In this order, see "Consistent results" in the manual: a straight path that ties, a straight path in a margin, a path
+      // of the preferred kind, a path that stays in the face.
       const int preference =
         may_start ? 8 * int(is_straight && ties) + 4 * int(is_straight) + 2 * int(is_preferred_kind) + int(stays) : -1;
       if (preference < best.preference || (preference == best.preference && !(d < best.distance))) continue;
