@@ -205,7 +205,8 @@ void propagate_and_cut(const Geodesic_mesh_data<Surface>& mesh, Build& build,
   output.finish();
 }
 
-// Overload for a finished build: from its windows, or, if they were not kept, by a second propagation up to the largest level.
+// Calls f(distance, curves) for each level of a finished build: from its windows, or, if they were not kept, by a second
+// propagation up to the largest level.
 template <class Concurrency_tag, class Surface, class Build, class Function>
 void cut_offset_curves(const Geodesic_mesh_data<Surface>& mesh, const Build& build,
                        const Offset_levels<typename Surface::Number>& levels, const Offset_selection& selection, Function& f)
