@@ -228,8 +228,9 @@ public:
   /// the point is the nearest one of the edge; if two are, it is at the vertex. With an exact number type, this holds for zero.
   /// \param location the point
   /// \param np as for a vertex
-  /// \throws std::invalid_argument if the face is null, removed or of another mesh, if the coordinates are not finite, if one
-  ///         is negative by more than 1e-9 (exact numbers: at all), if their sum is not positive, or if the start value is not a finite number or is negative.
+  /// \throws std::invalid_argument if the face is null, removed or of another mesh; if the coordinates are not finite, their sum is
+  ///         not positive, or one is negative by more than 1e-9, or with an exact number type at all; or if the start value is not
+  ///         a finite number or is negative.
   template <class NamedParameters = parameters::Default_named_parameters>
   std::size_t add_source_point(const Face_location& location, const NamedParameters& np = parameters::default_values())
   {
