@@ -14,7 +14,6 @@
 #include <CGAL/Surface_mesh_geodesic_offset/Offset_side.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/compilation/separate_functions.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/statistics_report.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/graded/Graded_distances.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/cut_offset_curves.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/sources/source_classification.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/parameters/named_parameters.h>
@@ -824,9 +823,7 @@ private:
   template <class NamedParameters>
   Request request(const NamedParameters& np) const
   {
-    return Geodesic_offset::internal::with_graded_distances(data().surface(), Request::read(np, [this](const auto& t) {
-                                                              return data().classified(t);
-                                                            }));
+    return Request::read(np, [this](const auto& t) { return data().classified(t); });
   }
 
   Field field_of(const std::shared_ptr<const Build>& build) const

@@ -10,7 +10,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/vertex_results.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Geodesic_mesh_data.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/curves/chord_tolerance.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Extended_bisectors.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/voronoi_extraction.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/number_utils.h>
@@ -257,7 +257,7 @@ public:
     if (internal::Number_policy<typename Surface_::Number>::is_finite(build.maximum))
       throw std::logic_error("Surface_mesh_geodesic_offset: a Voronoi diagram needs distances everywhere, but they were not "
                              "computed beyond a distance");
-    m_diagram = std::make_shared<Diagram>(internal::find_bisectors_of_build(*mesh.shared_surface, build));
+    m_diagram = std::make_shared<Diagram>(internal::find_bisectors<double>(mesh.unfolded(), build.initial, build.field));
   }
 #endif
 

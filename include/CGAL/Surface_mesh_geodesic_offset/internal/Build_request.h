@@ -8,15 +8,12 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/field/Geodesic_field.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Surface_point.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Number_policy.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Source_set.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Merging_tolerance.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/parameters/named_parameters.h>
 
 #include <functional>
-#include <map>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -35,8 +32,6 @@ struct Build_request
   std::function<bool(double)> goes_on = {}; // called with the completed fraction; false stops the build
   Merging_tolerance<FT> tolerance = {};
   bool finds_farthest = false; // also compute the largest distance, including face interiors
-  // Called after the propagation: distances of vertices that replace those by windows. See Graded_distances.h.
-  std::function<std::map<Index, FT>(const Source_set<FT>&, const Geodesic_field<FT>&, const FT& maximum)> refined = {};
 
   // Reads the named parameters; locate(target) is the location of a target on the surface.
   // \throws std::invalid_argument if a number is out of range
@@ -74,7 +69,6 @@ struct Build_request
   void release_inputs()
   {
     goes_on = nullptr;
-    refined = nullptr;
     targets = {};
   }
 

@@ -135,8 +135,6 @@ private:
     statistics.windows_peak = field.lists.peak();
     field.release_front();
     field.path_length = Near_path<FT>(m_mesh, initial, field, !is_approximate()).lengths_at_vertices(maximum);
-    if (m_request.refined && !is_approximate())
-      for (const auto& [v, d] : m_request.refined(sources, field, maximum)) field.path_length[v] = d;
   }
 
   // Searches finalized faces for the farthest point if requested, and passes them on.

@@ -14,18 +14,15 @@
 
 #include <CGAL/Surface_mesh_geodesic_offset/Surface_mesh_geodesic_offset_traits.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Geodesic_build.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/graded/extended_distances.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Inner_side.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/cut_offset_curves.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Near_path.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Source_set.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Extended_bisectors.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/voronoi_extraction.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <map>
-#include <optional>
-#include <vector>
 
 // List of explicit instantiations. Members in the list are defined outside of their classes, and no function is `inline` or
 // returns `auto`: `extern template` does not suppress the instantiation of such functions.
@@ -41,15 +38,10 @@
                                                    const Offset_levels<double>&, const Level_output<double>&);                 \
   instantiation double Near_path<double>::distance(const Located_point<double>&, Suffix_cache_on_mesh&) const;                 \
   instantiation Path_start<double> Near_path<double>::operator()(const Located_point<double>&, Suffix_cache_on_mesh&) const;   \
-  instantiation std::optional<Bisector_diagram<double>> find_bisectors<double>(                                                \
-    const Unfolded_mesh<double>&, const Initial_windows<double>&, const Geodesic_field<double>&, const Bisector_limits&);      \
+  instantiation Bisector_diagram<double> find_bisectors<double>(const Unfolded_mesh<double>&, const Initial_windows<double>&,  \
+                                                                const Geodesic_field<double>&);                                \
   instantiation std::map<Index, Source_side> inner_sides(const Unfolded_mesh<double>&, const Epick_traits&,                    \
-                                                         const Source_set<double>&);                                           \
-  instantiation std::vector<double> extended_distances<Extended_number>(                                                       \
-    const Unfolded_mesh<double>&, const std::vector<Index>&, const Point_of_vertex&, const Source_set<double>&, double,        \
-    const std::vector<Index>&);                                                                                                \
-  instantiation std::optional<Bisector_diagram<double>> extended_bisectors<Extended_number>(                                   \
-    const Unfolded_mesh<double>&, const Point_of_vertex&, const Source_set<double>&);
+                                                         const Source_set<double>&);
 
 namespace CGAL {
 namespace Geodesic_offset {

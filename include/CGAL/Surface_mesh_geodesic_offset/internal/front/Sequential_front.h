@@ -40,7 +40,6 @@ BOOST_FORCEINLINE void process_halfedge(Index h, Wavefront_state<typename Traits
   if (list.bucket != state.current() || !(list.has_new() || list.has_gap)) return;
   list.bucket = List::not_queued;
   list.has_gap = false;
-  state.add_work(part, list.size + list.waiting.size);
   if (const auto* const envelope = batch(h, list)) lists.assign(h, list, *envelope, arena);
   list.processed = list.size;
   CGAL_assertion(!list.has_new());

@@ -77,9 +77,6 @@ public:
     m_state.field.lists.set_number_of_primitives(initial.primitives.size());
   }
 
-  // Limit of the work, see Wavefront_state.
-  void limit_work(std::size_t windows) { m_state.limit_work(windows); }
-
   // Propagates from the source primitives with numbers of at least `first_primitive`. Known distances stay unless a shorter path
   // is found.
   //

@@ -19,9 +19,6 @@
 #include <boost/config.hpp>
 
 #include <algorithm>
-#include <limits>
-#include <stdexcept>
-#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -74,7 +71,6 @@ public:
 
     Bucket_queue queue;
     Wavefront_counts counts;
-    std::size_t work = 0; // windows of the lists of processed halfedges
     bool has_bent_paths = false;
     Output single;
   };
@@ -92,17 +88,6 @@ public:
   }
 
   Part& part(Index i) { return m_part[i]; }
-
-  // Ends the propagation by an exception when the lists of all processed halfedges together have had more windows. There is no
-  // limit by default.
-  void limit_work(std::size_t windows) { m_most_work = windows; }
-  void add_work(Part& part, std::size_t windows) const
-  {
-    part.work += windows;
-    if (BOOST_UNLIKELY(part.work > m_most_work))
-      throw std::runtime_error("Surface_mesh_geodesic_offset: the wavefront has processed " + std::to_string(part.work) +
-                               " windows without an end: faces are so thin that rounding does not let windows be told apart");
-  }
 
   // The current bucket of the front. The queue of a part advances to it when the part has work.
   std::size_t current() const { return m_current; }
@@ -476,7 +461,6 @@ private:
 
   std::vector<Part> m_part;
   std::size_t m_current = 0;
-  std::size_t m_most_work = (std::numeric_limits<std::size_t>::max)();
 };
 
 } // namespace internal

@@ -12,7 +12,6 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Geodesic_build.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/compilation/separate_functions.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/statistics_report.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/graded/Graded_distances.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Source_argument.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/sources/source_classification.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/parameters/named_parameters.h>
@@ -56,7 +55,7 @@ public:
 
   Request request() const
   {
-    return with_graded_distances(data().surface(), Request::read(m_np, [this](const auto& t) { return data().classified(t); }));
+    return Request::read(m_np, [this](const auto& t) { return data().classified(t); });
   }
 
   // The build before its propagation.

@@ -12,7 +12,6 @@
 
 #include <cfenv>
 #include <cfloat>
-#include <limits>
 
 // Excess precision: 0 is none; -1 is indeterminate, as with -mfpmath=both.
 #if FLT_EVAL_METHOD != 0
@@ -27,16 +26,6 @@
 namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
-
-// False if macros reveal other arithmetic than that of IEEE 754.
-constexpr bool may_round_correctly()
-{
-#if defined(CGAL_GEODESIC_OFFSET_EXCESS_PRECISION) || defined(CGAL_GEODESIC_OFFSET_FAST_MATH)
-  return false;
-#else
-  return std::numeric_limits<double>::is_iec559 && std::numeric_limits<double>::digits == 53;
-#endif
-}
 
 inline bool rounds_to_nearest() { return std::fegetround() == FE_TONEAREST; }
 

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Functions of double and of Extended_number beyond those of CGAL.
+// Functions of numbers beyond those of CGAL.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_NUMBERS_ELEMENTARY_FUNCTIONS_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_NUMBERS_ELEMENTARY_FUNCTIONS_H

@@ -11,7 +11,6 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Surface_point.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Segment_seeding.h>
 
-#include <array>
 #include <cstddef>
 #include <map>
 #include <utility>
@@ -33,7 +32,6 @@ public:
     std::vector<Surface_point<FT>> points;
     std::vector<Index> halfedges;
     FT start_value = FT(0);
-    std::vector<std::array<FT, 3>> weights = {}; // per point the user's barycentric coordinates, unless it is a vertex
   };
 
   void insert(std::size_t id, Source source) { m_sources.emplace(id, std::move(source)); }

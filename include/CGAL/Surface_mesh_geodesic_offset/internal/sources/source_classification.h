@@ -38,12 +38,7 @@ auto classified_source(const Geodesic_mesh_data<Surface>& mesh, const Source& so
   case Kind::CLOSED_POLYLINE: result.kind = Sources::CLOSED_POLYLINE; break;
   case Kind::EDGES: result.kind = Sources::EDGES; break;
   }
-  result.weights.resize(result.points.size());
-  for (const auto& l : source.locations)
-  {
-    result.points.push_back(mesh.classified(l));
-    result.weights.push_back(mesh.surface().imported(l.second));
-  }
+  for (const auto& l : source.locations) result.points.push_back(mesh.classified(l));
   for (const auto e : source.edges)
     result.halfedges.push_back(mesh.surface().index_beside_edge(halfedge(e, mesh.surface().tm)));
   if (result.kind == Sources::EDGES ? result.halfedges.empty() : result.points.empty())

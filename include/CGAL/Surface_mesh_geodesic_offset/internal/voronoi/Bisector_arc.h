@@ -95,31 +95,6 @@ struct Bisector_arc
            length(end - a.start) <= negligible;
   }
 
-  // The arc in double, times `scale`.
-  Bisector_arc<double> in_double(double scale) const
-  {
-    const auto scaled = [scale](const NT& x) { return scale * CGAL::to_double(x); };
-    Bisector_arc<double> a;
-    a.face = face;
-    a.start_node = start_node;
-    a.end_node = end_node;
-    a.left = left;
-    a.right = right;
-    a.start = {scaled(start.x), scaled(start.y)};
-    a.end = {scaled(end.x), scaled(end.y)};
-    a.start_edge = start_edge;
-    a.end_edge = end_edge;
-    a.conic = conic.in_double(scale);
-    a.from = CGAL::to_double(from);
-    a.to = CGAL::to_double(to);
-    a.negligible = scaled(negligible);
-    a.smallest_loop = scaled(smallest_loop);
-    a.edge = edge;
-    a.along_edge = scaled(along_edge);
-    a.is_link = is_link;
-    return a;
-  }
-
   void append(const Bisector_arc<NT>& a)
   {
     end_node = a.end_node;

@@ -53,7 +53,6 @@ struct Bisector_diagram
   std::vector<Index> label_of_face;                // of the center: of all points, if no bisector crosses the face
   std::unordered_map<Index, Face_cells<NT>> cells; // of the faces that bisectors may cross
   std::size_t divisions = 0, forced_cells = 0;
-  bool is_uncertain = false; // windows contradict each other, or curves are left out as smaller than rounding
 };
 
 template <class NT>
@@ -83,7 +82,6 @@ public:
 
   void write(Bisector_diagram<NT>& out)
   {
-    out.is_uncertain = out.is_uncertain || m_has_contracted;
     for (std::size_t n = 0; n + 1 < m_begin.size(); ++n)
       if (degree(n) > 1 && !is_inner(n))
       {
@@ -123,7 +121,6 @@ private:
       if (!a.is_negligible() || number_at[a.start_node] == 1 || number_at[a.end_node] == 1) return false;
       const Index from = representative(a.start_node), to = representative(a.end_node);
       same[from] = to;
-      m_has_contracted = true;
       return true;
     };
     for (const Bisector_arc<NT>& a : arcs)
@@ -174,11 +171,7 @@ private:
     chain.start_vertex = chain.is_closed ? Bisector_chain<NT>::no_vertex : m_vertex[first];
     chain.end_vertex = chain.is_closed ? Bisector_chain<NT>::no_vertex : m_vertex[node];
     join(std::move(arcs), chain);
-    if (chain.arcs.empty() || (chain.is_closed && has_no_area(chain.arcs, out.cells)))
-    {
-      out.is_uncertain = true;
-      return;
-    }
+    if (chain.arcs.empty() || (chain.is_closed && has_no_area(chain.arcs, out.cells))) return;
     if (chain.start_vertex != Bisector_chain<NT>::no_vertex)
       out.vertices[chain.start_vertex].curves.push_back(out.chains.size());
     if (chain.end_vertex != Bisector_chain<NT>::no_vertex) out.vertices[chain.end_vertex].curves.push_back(out.chains.size());
@@ -274,8 +267,7 @@ private:
   std::vector<Bisector_arc<NT>> m_arcs;
   std::vector<std::size_t> m_begin, m_incident; // per node, its arcs
   std::vector<char> m_is_used;                  // per arc
-  bool m_has_contracted = false;
-  std::vector<std::size_t> m_vertex; // per node, of the diagram
+  std::vector<std::size_t> m_vertex;            // per node, of the diagram
 };
 
 } // namespace internal

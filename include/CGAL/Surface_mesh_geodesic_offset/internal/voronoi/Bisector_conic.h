@@ -92,24 +92,6 @@ public:
     m_c2 = {0, 0, 0};
   }
 
-  // The conic times `scale`, with the same parameters.
-  Bisector_conic<double> in_double(double scale) const
-  {
-    Bisector_conic<double> c;
-    const auto scaled = [scale](const Point_with_distance<NT>& p) {
-      return Point_with_distance<double>{scale * CGAL::to_double(p.x), scale * CGAL::to_double(p.y),
-                                         scale * CGAL::to_double(p.d)};
-    };
-    c.m_c0 = scaled(m_c0);
-    c.m_c1 = scaled(m_c1);
-    c.m_c2 = scaled(m_c2);
-    c.m_low = CGAL::to_double(m_low);
-    c.m_kind = typename Bisector_conic<double>::Kind(m_kind);
-    c.m_has_inverse = m_has_inverse;
-    c.m_is_ray = m_is_ray;
-    return c;
-  }
-
   Kind kind() const { return m_kind; }
   bool is_ray() const { return m_is_ray; }
   NT lowest_parameter() const { return m_low; }

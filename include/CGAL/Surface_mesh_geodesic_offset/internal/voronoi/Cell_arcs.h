@@ -48,9 +48,6 @@ public:
           add_arcs(cell, candidates, candidates[i], candidates[j], margin, out);
   }
 
-  // Comparisons of a window with the bisector of two others, so far: a measure of the time.
-  std::size_t number_of_comparisons() const { return m_number_of_comparisons; }
-
 private:
   // Adds the parts of the bisector of two windows that belong to the diagram.
   void add_arcs(const Voronoi_cell<NT>& cell, const std::vector<unsigned>& candidates, unsigned a, unsigned b, NT margin,
@@ -95,7 +92,6 @@ private:
     for (const unsigned c : candidates)
     {
       if (c == a || c == b) continue;
-      ++m_number_of_comparisons;
       subtract_nearer(conic, v, w, a, b, c, parts);
       if (parts.is_empty()) return;
     }
@@ -235,7 +231,6 @@ private:
   const Voronoi_tolerances<NT>& m_tolerances;
   const Point m_center;
   const NT m_radius;
-  mutable std::size_t m_number_of_comparisons = 0;
 };
 
 } // namespace internal

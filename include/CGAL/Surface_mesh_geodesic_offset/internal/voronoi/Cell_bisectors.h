@@ -74,7 +74,6 @@ public:
 
   // True if ends farther apart than a joint have met in the last cell: loose ones, or all.
   bool has_loose_joints() const { return m_has_loose_joints; }
-  std::size_t number_of_comparisons() const { return m_find_arcs.number_of_comparisons(); }
   bool has_wide_joints() const { return m_joint > m_tolerances.joint; }
 
 private:

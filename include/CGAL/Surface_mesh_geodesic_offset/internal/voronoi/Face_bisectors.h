@@ -19,7 +19,6 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
-#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -28,22 +27,14 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// Limits beyond which the search for bisectors ends without a result.
-struct Bisector_limits
-{
-  std::size_t most_comparisons = (std::numeric_limits<std::size_t>::max)(); // see Cell_arcs
-  bool stops_if_uncertain = false;                                          // where windows contradict each other
-};
-
 template <class NT, class FT>
 class Face_bisectors
 {
 public:
   typedef Point_in_face<NT> Point;
 
-  Face_bisectors(const Unfolded_mesh<FT>& mesh, const Initial_windows<FT>& initial, const Geodesic_field<FT>& field,
-                 const Bisector_limits& limits)
-    : m_mesh(mesh), m_results(field), m_labels(mesh, initial, field), m_field(mesh, initial, field), m_limits(limits)
+  Face_bisectors(const Unfolded_mesh<FT>& mesh, const Initial_windows<FT>& initial, const Geodesic_field<FT>& field)
+    : m_mesh(mesh), m_results(field), m_labels(mesh, initial, field), m_field(mesh, initial, field)
   {
   }
 
@@ -107,9 +98,9 @@ public:
     m_cell.gates.push_back({m_cell.corner[k] + t * m_cell.direction[k], (unsigned char)(k), from, to, node});
   }
 
-  // Calls out(arc) for the arcs in the face. Nodes that are not gates have the numbers new_node(). Returns false beyond the limits.
+  // Calls out(arc) for the arcs in the face. Nodes that are not gates have the numbers new_node().
   template <class New_node, class OutputFunction>
-  bool find_arcs(const New_node& new_node, const OutputFunction& out)
+  void find_arcs(const New_node& new_node, const OutputFunction& out)
   {
     CGAL_precondition(m_cell.is_consistent());
     const auto write = [&](Bisector_arc<NT> arc) {
@@ -141,7 +132,6 @@ public:
       std::pop_heap(m_pending.begin(), m_pending.end(), is_smaller);
       Part part = std::move(m_pending.back());
       m_pending.pop_back();
-      if (m_number_of_comparisons + bisectors.number_of_comparisons() > m_limits.most_comparisons) return false;
       remove_farther(part.cell, part.near);
       // windows along a side only are those of the neighbour
       std::vector<unsigned> inside = part.near;
@@ -165,8 +155,6 @@ public:
         };
         const bool holds = fits && (!bisectors.has_loose_joints() || std::all_of(m_arcs.begin(), m_arcs.end(), holds_along));
         const bool may_divide = is_divisible && divisions < Voronoi_tolerances<NT>::most_divisions * m_all.size();
-        if (!holds || bisectors.has_wide_joints()) m_has_contradictions = true;
-        if (m_has_contradictions && m_limits.stops_if_uncertain) return false;
         if (!holds)
         {
           found.clear();
@@ -194,15 +182,11 @@ public:
       add_pending(std::move(second));
     }
     m_number_of_divisions += divisions;
-    m_number_of_comparisons += bisectors.number_of_comparisons();
-    return true;
   }
 
   const Voronoi_tolerances<NT>& tolerances() const { return m_tolerances; }
   std::size_t number_of_divisions() const { return m_number_of_divisions; }       // of cells that did not fit together
   std::size_t number_of_forced_cells() const { return m_number_of_forced_cells; } // larger than rounding
-  std::size_t number_of_comparisons() const { return m_number_of_comparisons; }   // see Cell_arcs
-  bool has_contradictions() const { return m_has_contradictions; }                // of windows in a cell
 
 private:
   static constexpr unsigned no_window = ~0u;
@@ -436,9 +420,6 @@ private:
   std::vector<Part> m_pending;          // a heap
   Label_changes<NT> m_changes;
   std::size_t m_number_of_divisions = 0, m_number_of_forced_cells = 0;
-  std::size_t m_number_of_comparisons = 0;
-  const Bisector_limits m_limits;
-  bool m_has_contradictions = false;
 };
 
 } // namespace internal

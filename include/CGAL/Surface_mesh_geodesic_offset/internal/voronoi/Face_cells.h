@@ -38,19 +38,6 @@ public:
   {
   }
 
-  // The cells in double, times `scale`.
-  Face_cells<double> in_double(double scale) const
-  {
-    Per_corner<Point_in_face<double>> corner;
-    for (int k = 0; k < 3; ++k) corner[k] = {scale * CGAL::to_double(m_corner[k].x), scale * CGAL::to_double(m_corner[k].y)};
-    std::vector<Voronoi_window<double>> windows;
-    for (const Voronoi_window<NT>& w : m_windows) windows.push_back(w.in_double(scale));
-    const NT ties = m_tie * NT(std::numeric_limits<double>::epsilon()) / std::numeric_limits<NT>::epsilon();
-    Face_cells<double> cells(corner, scale * CGAL::to_double(ties), std::move(windows));
-    cells.is_crossed = is_crossed;
-    return cells;
-  }
-
   // Labels of the sources of a point, given by its barycentric coordinates, that are not farther than the nearest one by more than
   // `within`, the nearest first.
   std::vector<Index> labels(const std::array<NT, 3>& weights, NT within) const

@@ -53,8 +53,7 @@ struct Voronoi_tolerances
   // Closed curves up to this length are left out: 2^29 u, 1.2e-7, eight times the square root of u: arcs
   // that touch at a point tie up to eight ties within this distance of it, and rounding may let them enclose a region.
   NT smallest_loop;
-  // Cells up to this diameter are not divided: 2^15 u, two joints, and with more digits than those of double, of which the
-  // curves are made in the end, 2^2 u of double. A bisector crosses such a cell straight from gate to gate.
+  // Cells up to this diameter are not divided: 2^15 u, two joints. A bisector crosses such a cell straight from gate to gate.
   NT smallest_cell;
   // Arcs up to this length are points: two such cells.
   NT negligible;
@@ -97,8 +96,7 @@ struct Voronoi_tolerances
     : tie(unit(6) * magnitude), slack(unit(7) * magnitude), usual_tie(tie), tie_of_rays(NT(8) * tie),
       shortest_interval(unit(8) * magnitude), joint(unit(14) * magnitude), loose_joint(magnitude / NT(1 << 8)),
       loose_tie(unit(9) * magnitude), smallest_loop(NT(8 * Number_policy<NT>::root_of_rounding()) * magnitude),
-      smallest_cell((std::max)(unit(15), NT(4 * std::numeric_limits<double>::epsilon())) * magnitude),
-      negligible(2 * smallest_cell)
+      smallest_cell(unit(15) * magnitude), negligible(2 * smallest_cell)
   {
   }
 
@@ -128,11 +126,6 @@ struct Voronoi_tolerances
   // Limit of the other divisions of a face, for each of its windows. A bisector that rounding leaves without its ends costs at
   // most this.
   static constexpr std::size_t most_divisions = 1 << 7;
-
-  // Comparisons with twice the digits (see Cell_arcs) up to which a diagram is found again, and as many for each face: one
-  // takes two to ten microseconds. Where fourteen segments cross in a face at one point, 220,000 are needed. No test binds
-  // these limits of time.
-  static constexpr std::size_t most_repeated_comparisons = 1 << 21, most_repeated_comparisons_of_face = 1 << 7;
 
 private:
   static NT unit(int bits) { return NT(1 << bits) * std::numeric_limits<NT>::epsilon(); }

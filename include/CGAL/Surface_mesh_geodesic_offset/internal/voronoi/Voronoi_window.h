@@ -64,25 +64,6 @@ struct Voronoi_window
     if (is_parallel()) start_at(start);
   }
 
-  // The window in double, times `scale`, with the cone of its rays.
-  Voronoi_window<double> in_double(double scale) const
-  {
-    const auto scaled = [scale](const NT& x) { return scale * CGAL::to_double(x); };
-    const double scale_of_image = is_parallel() ? 1 : scale; // a direction, if parallel
-    Face_window<double> w;
-    w.x = scale_of_image * CGAL::to_double(rays.x);
-    w.y = scale_of_image * CGAL::to_double(rays.y);
-    w.sigma = scaled(rays.sigma);
-    w.left = {scaled(rays.left.x), scaled(rays.left.y)};
-    w.right = {scaled(rays.right.x), scaled(rays.right.y)};
-    w.source_ref = rays.source_ref;
-    w.bits = rays.bits;
-    w.origin = rays.origin;
-    w.edge = rays.edge;
-    w.start_value = scaled(rays.start_value);
-    return Voronoi_window<double>(w, label);
-  }
-
   bool is_parallel() const { return rays.is_parallel(); }
   bool starts_at_image() const { return rays.origin >= STARTS_IN_FACE && !rays.is_parallel(); }
   bool is_strip() const { return rays.is_parallel() && rays.origin == STARTS_IN_FACE; }

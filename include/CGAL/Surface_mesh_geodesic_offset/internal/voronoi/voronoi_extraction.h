@@ -12,7 +12,6 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Face_bisectors.h>
 
 #include <cstddef>
-#include <optional>
 #include <unordered_map>
 #include <unordered_set>
 #include <utility>
@@ -22,10 +21,9 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// Nothing beyond the limits.
 template <class NT, class FT>
-std::optional<Bisector_diagram<NT>> find_bisectors(const Unfolded_mesh<FT>& mesh, const Initial_windows<FT>& initial,
-                                                   const Geodesic_field<FT>& field, const Bisector_limits& limits)
+Bisector_diagram<NT> find_bisectors(const Unfolded_mesh<FT>& mesh, const Initial_windows<FT>& initial,
+                                    const Geodesic_field<FT>& field)
 {
   struct Edge_gate // in the direction of the halfedge with the smaller index
   {
@@ -33,7 +31,7 @@ std::optional<Bisector_diagram<NT>> find_bisectors(const Unfolded_mesh<FT>& mesh
     Index from, to, node;
   };
   std::unordered_map<Index, std::vector<Edge_gate>> gates; // by this halfedge
-  Face_bisectors<NT, FT> bisectors(mesh, initial, field, limits);
+  Face_bisectors<NT, FT> bisectors(mesh, initial, field);
   std::vector<Bisector_arc<NT>> arcs;
   Bisector_diagram<NT> diagram;
   diagram.label_of_face.assign(mesh.number_of_faces(), no_index);
@@ -72,14 +70,13 @@ std::optional<Bisector_diagram<NT>> find_bisectors(const Unfolded_mesh<FT>& mesh
       }
     }
     const std::size_t known = arcs.size();
-    if (!bisectors.find_arcs(new_node, [&](const Bisector_arc<NT>& a) { arcs.push_back(a); })) return std::nullopt;
+    bisectors.find_arcs(new_node, [&](const Bisector_arc<NT>& a) { arcs.push_back(a); });
     if (!is_crossed || arcs.size() == known) continue;
     Face_cells<NT> cells = bisectors.cells();
     diagram.cells.emplace(f, std::move(cells));
   }
   diagram.divisions = bisectors.number_of_divisions();
   diagram.forced_cells = bisectors.number_of_forced_cells();
-  diagram.is_uncertain = bisectors.has_contradictions();
   Bisector_chains(std::move(arcs), nodes).write(diagram);
   std::unordered_set<Index> crossed;
   for (const Bisector_chain<NT>& chain : diagram.chains)
