@@ -12,10 +12,9 @@
 #include <CGAL/Surface_mesh_geodesic_offset/Offset_curve.h>
 #include <CGAL/Surface_mesh_geodesic_offset/Offset_levels.h>
 #include <CGAL/Surface_mesh_geodesic_offset/Offset_side.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/compilation/separate_functions.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/statistics_report.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/cut_offset_curves.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/sources/source_classification.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/surface/cut_offset_curves.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/surface/source_classification.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/parameters/named_parameters.h>
 
 #include <cstddef>
@@ -499,8 +498,7 @@ public:
     namespace internal = Geodesic_offset::internal;
     internal::check_named_parameters<internal::Build_parameters, NamedParameters>();
     const auto fresh = std::make_shared<Build>(data().unfolded(), classified_sources(), request(np));
-    constexpr bool may_search = internal::has_parameter<internal_np::geodesic_compute_largest_distance_t, NamedParameters>;
-    fresh->template propagate<internal::Concurrency_tag_of<NamedParameters>, may_search>(data().traits);
+    fresh->template propagate<internal::Concurrency_tag_of<NamedParameters>, internal::build_parts_of<NamedParameters>>(data().traits);
     internal::report(fresh->statistics, np);
     return m_field = field_of(fresh);
   }
@@ -549,7 +547,7 @@ public:
     const auto sources = classified_sources();
     const bool grows = can_grow && sources.extends(b.sources);
     const auto fresh = grows ? std::make_shared<Build>(b, sources, r) : std::make_shared<Build>(data().unfolded(), sources, r);
-    fresh->template propagate<internal::Concurrency_tag_of<NamedParameters>, true>(data().traits);
+    fresh->template propagate<internal::Concurrency_tag_of<NamedParameters>>(data().traits);
     internal::report(fresh->statistics, np);
     if (!fresh->is_cancelled) m_field = field_of(fresh);
     return m_field;
@@ -610,9 +608,8 @@ public:
     internal::check_named_parameters<internal::Build_and_offset_parameters, NamedParameters>();
     const auto wanted = internal::offset_levels<Surface>(levels);
     const auto fresh = std::make_shared<Build>(data().unfolded(), classified_sources(), request(np));
-    constexpr bool may_search = internal::has_parameter<internal_np::geodesic_compute_largest_distance_t, NamedParameters>;
-    internal::propagate_and_cut<internal::Concurrency_tag_of<NamedParameters>, may_search>(data(), *fresh, wanted,
-                                                                                           internal::Offset_selection(np), f);
+    internal::propagate_and_cut<internal::Concurrency_tag_of<NamedParameters>, internal::build_parts_of<NamedParameters>>(data(), *fresh, wanted,
+                                                                                           internal::offset_selection(np), f);
     internal::report(fresh->statistics, np);
     m_field = field_of(fresh);
   }

@@ -7,7 +7,7 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/curves/chord_tolerance.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/curves/Curve_context.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/surface/Curve_context.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Bisector_arc.h>
 
 #include <CGAL/number_utils.h>

@@ -14,14 +14,9 @@
 #include <CGAL/Surface_mesh_geodesic_offset/Offset_levels.h>
 #include <CGAL/Surface_mesh_geodesic_offset/Offset_side.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Geodesic_build.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/vertex_results.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/field/Farthest_point.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/cut_offset_curves.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Near_path.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_elements.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_points.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_visits.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_tracing.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/surface/vertex_results.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/surface/cut_offset_curves.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/surface/Path_visits.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/parameters/named_parameters.h>
 
 #include <cstddef>
@@ -153,7 +148,7 @@ public:
   {
     const Located_point p = classified(location);
     const Build& b = built_for(p);
-    const Number d = near_path(b).distance(p, b.suffixes);
+    const Number d = b.distance(p);
     return Surface::exported(d > b.maximum ? Policy::infinity() : d);
   }
 
@@ -179,7 +174,7 @@ public:
     const Path_start start = start_at(p);
     const double d = CGAL::to_double(start.distance);
     if (start.is_at_source() || !start.is_reached()) return d;
-    switch (built().is_approximate() ? start.source_ref.side() : end_of(p, start).source_ref.side())
+    switch (built().is_approximate() ? start.source_ref.side() : built().path_end(p, start).source_ref.side())
     {
     case Source_side::LEFT: return -d;
     case Source_side::RIGHT: return d;
@@ -197,7 +192,7 @@ public:
     const Located_point p = classified(location);
     const Path_start start = start_at(p);
     if (!start.is_reached()) return std::nullopt;
-    const auto end = end_of(p, start);
+    const auto end = built().path_end(p, start);
     const auto& primitive = built().initial.primitives[end.source_ref.primitive()];
     const bool is_there = start.is_at_source();
     return Nearest_source{primitive.source,
@@ -337,7 +332,7 @@ public:
     internal::check_named_parameters<internal::Offset_parameters, NamedParameters>();
     const auto wanted = internal::offset_levels<Surface>(levels);
     internal::cut_offset_curves<internal::Concurrency_tag_of<NamedParameters>>(data(), built(), wanted,
-                                                                               internal::Offset_selection(np), f);
+                                                                               internal::offset_selection(np), f);
   }
   /// @}
 
@@ -397,16 +392,13 @@ public:
     const Build& b = built_exactly();
     if constexpr (decltype(b.suffixes_in_space)::keeps)
     {
-      Geodesic_offset::internal::Path_points<Surface, OutputIterator> points(surface(), out);
+      std::vector<typename Surface::Space_point> points;
       const Located_point p = classified(location);
-      tracing(b)(p, start_at(p), b.suffixes_in_space, points);
-      return points.out();
+      b.trace_path_in_space(p, start_at(p), surface(), points);
+      for (const auto& q : points) *out++ = Geodesic_offset::internal::converted_point<Point_3, FT>(q);
     }
-    else
-    {
-      trace_from(location, [&](const auto& p) { *out++ = surface().point(p); });
-      return out;
-    }
+    else trace_from(location, [&](const auto& p) { *out++ = surface().point(p); });
+    return out;
   }
 
   /// calls a visitor for each point of a shortest path to the nearest source.
@@ -450,9 +442,7 @@ private:
       if (!b.kept)
         throw std::logic_error("Surface_mesh_geodesic_offset: this query needs "
                                "build(parameters::compute_largest_distance(true))");
-      Geodesic_offset::internal::Farthest_point<Number> search(unfolded(), b.initial, b.field);
-      search.add_all();
-      return search.result();
+      return b.find_farthest();
     }
     return b.farthest;
   }
@@ -464,38 +454,15 @@ private:
 
   Path_start start_at(const Located_point& p) const
   {
-    return Geodesic_offset::internal::start_of_path(unfolded(), built_for(p), p);
-  }
-
-  auto near_path(const Build& b) const
-  {
-    return Geodesic_offset::internal::Near_path<Number>(unfolded(), b.initial, b.field, !b.is_approximate());
-  }
-
-  auto tracing(const Build& b) const { return Geodesic_offset::internal::Path_tracing<Number>(unfolded(), b.initial, b.field); }
-
-  // End of the path from p with the given start.
-  Geodesic_offset::internal::Suffix_end<Number> end_of(const Located_point& p, const Path_start& start) const
-  {
-    const Build& b = built();
-    Geodesic_offset::internal::No_path_output<Number> nothing;
-    return tracing(b)(p, start, b.suffixes, nothing);
-  }
-
-  template <class P, class Function>
-  void trace(const P& p, const Path_start& start, Function&& out) const
-  {
-    const Build& b = built();
-    Geodesic_offset::internal::Path_elements<Number, Function> elements(out);
-    tracing(b)(p, start, b.suffixes, elements);
+    return built_for(p).path_start(p);
   }
 
   template <class Location, class Function>
   void trace_from(const Location& location, const Function& out) const
   {
-    built_exactly();
+    const Build& b = built_exactly();
     const Located_point p = classified(location);
-    trace(p, start_at(p), out);
+    Geodesic_offset::internal::visit_path(b, p, start_at(p), out);
   }
 
   const Data& data() const

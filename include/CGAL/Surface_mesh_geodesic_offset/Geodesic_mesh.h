@@ -9,12 +9,13 @@
 #include <CGAL/Surface_mesh_geodesic_offset/Geodesic_plane_section.h>
 #include <CGAL/Surface_mesh_geodesic_offset/Geodesic_source_set.h>
 #include <CGAL/Surface_mesh_geodesic_offset/Surface_mesh_geodesic_offset_traits.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Geodesic_mesh_data.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/normal_angle.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/own_maps.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Polyline_joining.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/surface/Geodesic_mesh_data.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/surface/normal_angle.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/surface/own_maps.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/point_conversion.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/Polyline_joining.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Plane_cutting.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Polyline_joining.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/surface/Plane_cutting.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/workers/Concurrency.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/parameters/named_parameters.h>
 
@@ -33,6 +34,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -124,6 +126,7 @@ private:
   typedef Geodesic_offset::internal::Geodesic_mesh_data<Surface> Data;
   typedef typename Data::Located_point Located_point;
   typedef typename Data::Surface_point Surface_point;
+  typedef Geodesic_offset::internal::Space_kernel<typename Traits::Kernel> Space_kernel;
 
   friend struct Geodesic_offset::internal::Mesh_access;
 
@@ -214,7 +217,7 @@ public:
   template <class NamedParameters = parameters::Default_named_parameters>
   Face_location locate(const Point_3& p, const NamedParameters& np = parameters::default_values()) const
   {
-    return data().locator().locate(p, snapping_tolerance(np));
+    return data().surface().location(data().locator().locate(in_space(p), snapping_tolerance(np)));
   }
 
   /// Overload for a point of another kernel.
@@ -252,7 +255,9 @@ public:
   template <class NamedParameters = parameters::Default_named_parameters>
   std::optional<Face_location> locate(const Ray_3& r, const NamedParameters& np = parameters::default_values()) const
   {
-    return data().locator().locate(r, snapping_tolerance(np));
+    const auto found = data().locator().locate(in_space(r), snapping_tolerance(np));
+    if (!found) return std::nullopt;
+    return data().surface().location(*found);
   }
   /// @}
 
@@ -315,7 +320,9 @@ public:
   {
     Geodesic_offset::internal::check_named_parameters<Geodesic_offset::internal::Joining_parameters, NamedParameters>();
     const Surface& surface = data().surface_with_points();
-    const Geodesic_offset::internal::Polyline_joining<Surface> join(surface, data().traits);
+    const Geodesic_offset::internal::Polyline_joining<typename Surface::Computing_traits, Space_kernel> joining(
+      data().unfolded(), surface, data().traits);
+    std::vector<Geodesic_offset::internal::Path_crossing<typename Surface::Number>> passed;
     Polyline polyline;
     std::optional<Located_point> last;
     std::size_t i = 0;
@@ -324,9 +331,11 @@ public:
       const Located_point p = data().classified(given);
       const Face_location l = snapped(given, p);
       if (last && surface.point(path.back()) == surface.point(l)) return;
-      if (last && !join(*last, p, path))
+      passed.clear();
+      if (last && !joining.join(*last, p, passed))
         throw std::invalid_argument("Surface_mesh_geodesic_offset: there is no path on the surface to point " +
                                     std::to_string(i) + " of a polyline from the one before");
+      for (const auto& c : passed) path.push_back(surface.location_of_element(c));
       path.push_back(l);
       last = p;
     };
@@ -455,6 +464,18 @@ private:
       return Geodesic_offset::internal::converted_map<Vertex_point_map>(
         parameters::get_parameter(np, internal_np::vertex_point));
     else return (void)np, get(boost::vertex_point, tm);
+  }
+
+  // Points and rays of the kernel of the locator.
+  static decltype(auto) in_space(const Point_3& p)
+  {
+    return Geodesic_offset::internal::converted_point<typename Space_kernel::Point_3, FT>(p);
+  }
+  static typename Space_kernel::Ray_3 in_space(const Ray_3& r)
+  {
+    const Vector_3 v = r.to_vector();
+    if constexpr (std::is_same<Ray_3, typename Space_kernel::Ray_3>::value) return r;
+    else return typename Space_kernel::Ray_3(in_space(r.source()), typename Space_kernel::Vector_3(v.x(), v.y(), v.z()));
   }
 
   template <class NamedParameters>

@@ -8,7 +8,7 @@
 
 #include <CGAL/Surface_mesh_geodesic_offset/Geodesic_mesh.h>
 #include <CGAL/Surface_mesh_geodesic_offset/Surface_mesh_geodesic_offset_traits.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/own_maps.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/surface/own_maps.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Number_policy.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/parameters/named_parameters.h>
 

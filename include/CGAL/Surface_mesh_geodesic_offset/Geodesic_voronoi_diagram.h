@@ -7,10 +7,10 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/Bisector_piece.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/vertex_results.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Geodesic_mesh_data.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/surface/vertex_results.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/surface/Geodesic_mesh_data.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/curves/chord_tolerance.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/voronoi_extraction.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Bisector_diagram.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/number_utils.h>

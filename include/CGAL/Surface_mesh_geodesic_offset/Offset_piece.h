@@ -8,7 +8,7 @@
 
 #include <CGAL/Surface_mesh_geodesic_offset/Offset_side.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/curves/chord_tolerance.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/curves/Curve_context.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/surface/Curve_context.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/curves/Level_piece.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Merge_error_code.h>
 

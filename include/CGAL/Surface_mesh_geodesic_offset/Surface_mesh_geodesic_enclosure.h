@@ -14,7 +14,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_front.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_query.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Offset_certification.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/sources/source_classification.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/surface/source_classification.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/parameters/named_parameters.h>
 
 #include <array>

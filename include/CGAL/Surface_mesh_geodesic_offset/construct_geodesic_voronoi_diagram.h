@@ -63,7 +63,7 @@ Geodesic_voronoi_diagram_type<TriangleMesh, NamedParameters> construct_geodesic_
   const internal::One_call<TriangleMesh, NamedParameters> call(tm, sources, np);
   auto request = call.request();
   request.keeps_windows = true;
-  const auto build = call.propagated(request);
+  const auto build = call.template propagated<internal::build_parts_of<NamedParameters> | internal::KEPT_WINDOWS>(request);
   return Geodesic_voronoi_diagram_type<TriangleMesh, NamedParameters>(call.data(), *build);
 }
 

@@ -7,7 +7,7 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/functions/One_call.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/vertex_results.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/surface/vertex_results.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/parameters/named_parameters.h>
 
 namespace CGAL {

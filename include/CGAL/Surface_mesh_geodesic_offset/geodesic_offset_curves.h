@@ -10,7 +10,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/Offset_levels.h>
 #include <CGAL/Surface_mesh_geodesic_offset/Offset_side.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/functions/One_call.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/cut_offset_curves.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/surface/cut_offset_curves.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/parameters/named_parameters.h>
 
 #include <algorithm>
@@ -82,7 +82,7 @@ OutputIterator geodesic_offset_curves(const TriangleMesh& tm, const Sources& sou
   if (!wanted.is_unlimited() && wanted.size() > 0) request.maximum = (std::min)(request.maximum, wanted[wanted.size() - 1]);
   auto build = call.build(request);
   const auto write = internal::curve_writer<Geodesic_offset_curve_type<TriangleMesh, NamedParameters>>(out);
-  internal::propagate_and_cut<typename Call::Concurrency_tag>(call.data(), build, wanted, internal::Offset_selection(np), write);
+  internal::propagate_and_cut<typename Call::Concurrency_tag, internal::build_parts_of<NamedParameters>>(call.data(), build, wanted, internal::offset_selection(np), write);
   internal::report(build.statistics, np);
   return out;
 }

@@ -7,9 +7,7 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/functions/One_call.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Near_path.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_elements.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_tracing.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/surface/Path_visits.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/parameters/named_parameters.h>
 
 #include <type_traits>
@@ -63,15 +61,13 @@ OutputIterator shortest_path_to_sources(const TriangleMesh& tm, const From& from
   auto request = call.request();
   request.keeps_windows = start.kind != internal::Surface_point<Number>::VERTEX;
   request.targets.push_back(start);
-  const auto build = call.propagated(request);
+  const auto build = call.template propagated<internal::build_parts_of<NamedParameters> | internal::KEPT_WINDOWS>(request);
   const auto& surface = call.data().surface();
   const auto write = [&](const auto& p) {
     if constexpr (std::is_assignable<decltype(*out++), typename Call::Mesh::Face_location>::value) *out++ = surface.location(p);
     else *out++ = surface.point(p);
   };
-  const auto way = internal::start_of_path(surface.unfolded, *build, start);
-  internal::Path_elements<Number, decltype(write)> elements(write);
-  internal::Path_tracing<Number>(surface.unfolded, build->initial, build->field)(start, way, build->suffixes, elements);
+  internal::visit_path(*build, start, build->path_start(start), write);
   return out;
 }
 

@@ -8,6 +8,7 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
+#include <CGAL/Surface_mesh_geodesic_offset/internal/front/Front_traits.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Surface_point.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Number_policy.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Merging_tolerance.h>
@@ -78,6 +79,16 @@ private:
     if (!condition) throw std::invalid_argument(std::string("Surface_mesh_geodesic_offset: ") + what);
   }
 };
+
+// The parts that a propagation with these parameters may need, see Build_part.
+template <class NamedParameters>
+constexpr unsigned build_parts_of =
+  instantiated_parts((has_parameter<internal_np::geodesic_compute_largest_distance_t, NamedParameters> ? SEARCH : NO_PARTS) |
+                     (has_parameter<internal_np::geodesic_relative_tolerance_t, NamedParameters> ||
+                          has_parameter<internal_np::geodesic_merging_tolerance_t, NamedParameters>
+                        ? MERGING
+                        : NO_PARTS) |
+                     (has_parameter<internal_np::geodesic_keep_windows_t, NamedParameters> ? KEPT_WINDOWS : NO_PARTS));
 
 } // namespace internal
 } // namespace Geodesic_offset

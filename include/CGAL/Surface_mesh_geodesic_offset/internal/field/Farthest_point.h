@@ -32,16 +32,6 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// The largest distance of the surface and a point that attains it, a vertex if possible. If points lie beyond the maximal
-// distance of the build, that distance without a point.
-template <class FT>
-struct Farthest
-{
-  FT distance;
-  Index face;             // no_index if points lie beyond
-  Per_corner<FT> weights; // barycentric coordinates, exactly zero on edges
-};
-
 // Search in one face after another. Keeps the farthest point.
 template <class FT>
 class Farthest_in_face

@@ -35,6 +35,16 @@ struct Backtrace
   Ray_at_vertex<FT> ray() const { return {corner, x, y}; }
 };
 
+// The largest distance of the surface and a point that attains it, a vertex if possible. If points lie beyond the maximal
+// distance of the build, that distance without a point.
+template <class FT>
+struct Farthest
+{
+  FT distance;
+  Index face;             // no_index if points lie beyond
+  Per_corner<FT> weights; // barycentric coordinates, exactly zero on edges
+};
+
 template <class FT>
 class Geodesic_field
 {
@@ -64,6 +74,7 @@ public:
     kept = other.kept;
     set_start_values(starts);
     m_before = &other;
+    m_add_earlier = &Geodesic_field::add_earlier_windows; // compiled only with updates
   }
 
   // Sets all distances to infinity.
@@ -83,6 +94,7 @@ public:
   {
     lists = Window_lists<FT>();
     m_before = nullptr;
+    m_add_earlier = nullptr;
     kept.tidy();
   }
 
@@ -93,7 +105,7 @@ public:
   {
     if (Window_list<FT>* const known = lists.find(h)) return *known;
     Window_list<FT>& list = lists.create(h);
-    if (BOOST_UNLIKELY(m_before != nullptr)) add_earlier_windows(h, list, arena);
+    if (BOOST_UNLIKELY(m_add_earlier != nullptr)) (this->*m_add_earlier)(h, list, arena);
     return list;
   }
 
@@ -159,6 +171,7 @@ private:
   }
 
   const Geodesic_field* m_before = nullptr;
+  void (Geodesic_field::*m_add_earlier)(Index, Window_list<FT>&, Window_arena<Window>&) = nullptr;
 };
 
 } // namespace internal

@@ -22,6 +22,7 @@
 
 #include <CGAL/assertions.h>
 
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -34,6 +35,7 @@ class Halfedge_batch
 public:
   typedef typename Traits::FT FT;
   typedef CGAL::Geodesic_offset::internal::Window<FT> Window;
+  typedef std::conditional_t<Traits::may_merge, Window_merging<FT>, No_merging> Merging;
 
   Halfedge_batch(const Wavefront_state<FT>& state, const std::vector<Index>& source_of, const Traits& traits,
                  const Merging_tolerance<FT>& tolerance)
@@ -53,7 +55,8 @@ public:
     {
       if (may_stay && Lower_envelope<Traits>::is_monotone_list(list.begin(), list.end(), m_mesh[h].length))
       {
-        if (m_merging.pays_for(h, list.size)) return &propagate_merged(h, list, list.begin(), list.end());
+        if constexpr (Traits::may_merge)
+          if (m_merging.pays_for(h, list.size)) return &propagate_merged(h, list, list.begin(), list.end());
         m_propagate(h, list.begin(), list.size, list.split_distance, list.split_entry);
         return nullptr;
       }
@@ -66,8 +69,9 @@ public:
                  end_at(m_mesh.target(h)), m_state.passed());
     m_nearest_gap = m_envelope.nearest_gap();
     // Propagated windows cannot be merged, and they are most of the lists of second batches.
-    if (list.processed == 0 && m_merging.pays_for(h, envelope.size()))
-      return &propagate_merged(h, list, envelope.begin(), envelope.end());
+    if constexpr (Traits::may_merge)
+      if (list.processed == 0 && m_merging.pays_for(h, envelope.size()))
+        return &propagate_merged(h, list, envelope.begin(), envelope.end());
     m_propagate(h, envelope.data(), envelope.size(), list.split_distance, list.split_entry);
     return may_stay && !m_envelope.has_closed_gaps() ? nullptr : &envelope;
   }
@@ -77,7 +81,7 @@ public:
 
   // Result of the propagation.
   const Batch_propagation<Traits>& propagated() const { return m_propagate; }
-  const Window_merging<FT>& merging() const { return m_merging; }
+  const Merging& merging() const { return m_merging; }
 
 private:
   static constexpr bool is_inexact = Number_policy<FT>::is_inexact;
@@ -97,7 +101,7 @@ private:
   const Unfolded_mesh<FT>& m_mesh;
   const Wavefront_state<FT>& m_state;
   Lower_envelope<Traits> m_envelope;
-  Window_merging<FT> m_merging;
+  Merging m_merging;
   Batch_propagation<Traits> m_propagate;
   const bool m_needs_envelopes;
   FT m_nearest_gap;

@@ -125,7 +125,7 @@ public:
   // The threads, free for other work between rounds.
   Worker_team& team() { return m_team; }
 
-  const Window_merging<FT>& merging() const { return m_batches.front()->merging(); }
+  const auto& merging() const { return m_batches.front()->merging(); }
   Merging_counts merging_counts() const
   {
     Merging_counts counts;

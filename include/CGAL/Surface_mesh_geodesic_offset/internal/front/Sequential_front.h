@@ -106,7 +106,7 @@ public:
   // The threads.
   Single_worker team() const { return Single_worker(); }
 
-  const Window_merging<FT>& merging() const { return m_batch.merging(); }
+  const auto& merging() const { return m_batch.merging(); }
   Merging_counts merging_counts() const { return merging().counts(); }
 
 private:

@@ -10,6 +10,7 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
+#include <CGAL/Surface_mesh_geodesic_offset/internal/front/Face_consumer.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/front/Face_finalizer.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/front/Sequential_front.h>
 #ifdef CGAL_LINKED_WITH_TBB
@@ -41,21 +42,7 @@ struct Front_type<Traits, Parallel_tag>
 };
 #endif
 
-// Consumer of finalized faces that ignores them, see Wavefront::run().
-struct Ignoring_consumer
-{
-  static constexpr bool reads_lists = false;
-  template <class Team>
-  void process_finalized(const std::vector<Index>&, Team&)
-  {
-  }
-  template <class FT>
-  void settled_up_to(const FT&)
-  {
-  }
-};
-
-// `Concurrency_tag`: Sequential_tag, or Parallel_tag with floating point numbers.
+// `Traits`: Front_traits. `Concurrency_tag`: Sequential_tag, or Parallel_tag with floating point numbers.
 template <class Traits, class Concurrency_tag = Sequential_tag>
 class Wavefront
 {
@@ -65,6 +52,7 @@ class Wavefront
 public:
   typedef typename Traits::FT FT;
   typedef CGAL::Geodesic_offset::internal::Window<FT> Window;
+  typedef Face_consumer<FT, typename Team_of<Concurrency_tag>::Type> Consumer;
 
   Wavefront(const Unfolded_mesh<FT>& mesh, const Initial_windows<FT>& initial, const Traits& traits, const FT& maximum_distance,
             bool keep_lists, bool consumer_reads_lists, Geodesic_field<FT>& field,
@@ -72,7 +60,7 @@ public:
     : m_mesh(mesh), m_keep(keep_lists), m_partition(mesh, !tolerance.is_zero()),
       m_state(mesh, maximum_distance, keep_lists || consumer_reads_lists, field, m_partition.parts()),
       m_start_values(initial.start_values), m_finalizer(m_state, tolerance), m_spreading(m_state, initial, traits),
-      m_groups(keep_lists ? merging_groups(mesh, initial) : initial.source_of), m_front(m_state, m_groups, traits, tolerance)
+      m_groups(groups(mesh, initial, keep_lists)), m_front(m_state, m_groups, traits, tolerance)
   {
     m_state.field.lists.set_number_of_primitives(initial.primitives.size());
   }
@@ -80,19 +68,9 @@ public:
   // Propagates from the source primitives with numbers of at least `first_primitive`. Known distances stay unless a shorter path
   // is found.
   //
-  // consumer.process_finalized(faces, team) receives finalized faces, each face once. The distances of their corners are final,
-  // and so are the lists of their halfedges if Consumer::reads_lists. `team`: the threads that may help. The other functions of
-  // the consumer are called only if Consumer::reads_lists:
-  //
-  // - consumer.settled_up_to(distance): all faces with points nearer than `distance` have been passed to process_finalized().
-  // - consumer.needs_pending_faces(distance, number, finalized): returns whether it needs faces before they are finalized.
-  //   `number`: of the pending and the finalized faces together; `finalized`: those of the next process_finalized().
-  // - consumer.process_pending(faces, distance, team): receives all faces with points nearer than `distance` that have not been
-  //   passed to process_finalized(); distances and windows nearer than `distance` are final.
-  //
   // goes_on(distance, faces) is called periodically when all points up to `distance` are final; `faces` is the number of
   // finalized faces. If it returns false, `distance` becomes the distance limit.
-  template <class Consumer, class Condition>
+  template <class Condition>
   void run(Consumer& consumer, const Condition& goes_on, Index first_primitive = 0)
   {
     m_is_update = first_primitive > 0;
@@ -115,28 +93,28 @@ public:
           break;
         }
       }
-      if constexpr (Consumer::reads_lists)
+      if (consumer.reads_lists())
         if (const std::size_t oldest = m_state.pending_faces.oldest(m_state.current()); oldest > settled_bucket)
         { // one bucket less, likewise
           consumer.settled_up_to(FT(double(oldest - 1) * m_state.bucket_width()));
           settled_bucket = oldest;
         }
       m_front.finalize_faces(m_finalizer, m_finalized);
-      if constexpr (Consumer::reads_lists)
+      if (consumer.reads_lists())
         if (m_state.current() > 1) hand_over_pending(consumer, (std::min)(m_state.maximum, settled_distance()));
       hand_over(consumer);
       reveal_vertices();
       m_front.process_bucket(m_spreading);
     }
     for_each_pending_face([this](Index f) { this->m_finalizer.finalize(f, this->m_finalized.faces); });
-    if constexpr (Consumer::reads_lists) hand_over_pending(consumer, m_state.maximum);
+    if (consumer.reads_lists()) hand_over_pending(consumer, m_state.maximum);
     hand_over(consumer);
     for (FT& d : m_state.field.distance)
       if (d > m_state.maximum) d = Number_policy<FT>::infinity();
   }
 
   Wavefront_counts counts() const { return m_state.counts(); }
-  const Window_merging<FT>& merging() const { return m_front.merging(); }
+  const auto& merging() const { return m_front.merging(); }
   Merging_counts merging_counts() const { return m_front.merging_counts(); }
 
   const FT& maximum() const { return m_state.maximum; }
@@ -147,6 +125,14 @@ public:
   FT largest_distance(Index f) const { return m_state.largest_distance(f); }
 
 private:
+  static std::vector<Index> groups(const Unfolded_mesh<FT>& mesh, const Initial_windows<FT>& initial, bool keep_lists)
+  {
+    CGAL_precondition(Traits::may_keep_windows || !keep_lists);
+    if constexpr (Traits::may_keep_windows)
+      if (keep_lists) return merging_groups(mesh, initial);
+    return initial.source_of;
+  }
+
   // Calls f for each pending face.
   template <class Function>
   void for_each_pending_face(const Function& function)
@@ -205,14 +191,14 @@ private:
     return false;
   }
 
-  template <class Consumer>
   void hand_over(Consumer& consumer)
   {
     const std::vector<Index>& faces = m_finalized.faces;
     if (faces.empty()) return;
     auto&& team = m_front.team();
     consumer.process_finalized(faces, team);
-    if (m_keep) m_state.field.kept.keep(faces, m_state.field.lists, m_state.field.distance, m_mesh.number_of_faces(), team);
+    if constexpr (Traits::may_keep_windows)
+      if (m_keep) m_state.field.kept.keep(faces, m_state.field.lists, m_state.field.distance, m_mesh.number_of_faces(), team);
     m_front.release(faces);
     m_number_of_finalized += faces.size();
     m_finalized.faces.clear();
@@ -232,7 +218,6 @@ private:
 
   // Passes pending faces to the consumer if it needs them: faces with points up to `settled` that have not been handed over. Does
   // nothing if such a face has a hidden vertex, nor in an update, which hands over only the faces that it improves.
-  template <class Consumer>
   void hand_over_pending(Consumer& consumer, const FT& settled)
   {
     const std::size_t number = m_state.pending_faces.number() + m_finalized.faces.size();

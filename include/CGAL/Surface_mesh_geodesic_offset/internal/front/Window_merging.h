@@ -386,6 +386,17 @@ private:
   Inline_sequence<Window> m_windows;
 };
 
+// In the place of Window_merging where windows are never merged.
+struct No_merging
+{
+  template <class... Arguments>
+  explicit No_merging(const Arguments&...)
+  {
+  }
+  bool is_on() const { return false; }
+  Merging_counts counts() const { return Merging_counts(); }
+};
+
 } // namespace internal
 } // namespace Geodesic_offset
 } // namespace CGAL

@@ -10,10 +10,9 @@
 
 #include <CGAL/Surface_mesh_geodesic_offset/Geodesic_mesh_type.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Geodesic_build.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/compilation/separate_functions.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/statistics_report.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Source_argument.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/sources/source_classification.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/surface/Source_argument.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/surface/source_classification.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/parameters/named_parameters.h>
 
 #include <memory>
@@ -61,11 +60,12 @@ public:
   // The build before its propagation.
   Build build(const Request& request) const { return Build(data().unfolded(), classified_sources(data(), m_sources), request); }
 
-  // The build after its propagation, without offset curves.
+  // The build after its propagation, without offset curves. `parts`: those that the request may need.
+  template <unsigned parts = build_parts_of<NamedParameters>>
   std::unique_ptr<const Build> propagated(const Request& request) const
   {
     std::unique_ptr<Build> result(new Build(build(request)));
-    result->template propagate<Concurrency_tag>(data().traits);
+    result->template propagate<Concurrency_tag, parts>(data().traits);
     report(result->statistics, m_np);
     return result;
   }

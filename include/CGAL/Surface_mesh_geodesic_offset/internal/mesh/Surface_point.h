@@ -18,6 +18,7 @@
 #include <array>
 #include <stdexcept>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace CGAL {
@@ -86,13 +87,17 @@ struct Path_crossing
   FT part;
 };
 
+// An element that a path meets: a crossing of an edge, or a vertex or the point at the end.
+template <class FT>
+using Path_element = std::variant<Path_crossing<FT>, Surface_point<FT>>;
+
 // Barycentric coordinates below this fraction of the largest one are rounding errors of zero: the point is on the edge or
 // at the vertex.
 inline double snapping_tolerance() { return 1e-13; }
 
 // Snaps to a vertex or an edge if possible. w: barycentric coordinates with sum 1.
-template <class FT, class Name>
-Located_point<FT> classify_on_boundary(const Unfolded_mesh<FT>& mesh, Index face, const Name& name, bool valid,
+template <class FT>
+Located_point<FT> classify_on_boundary(const Unfolded_mesh<FT>& mesh, Index face, std::size_t name, bool valid,
                                        const std::array<FT, 3>& coordinates, const FT& eps)
 {
   const Per_corner<FT> w = coordinates;
@@ -109,7 +114,7 @@ Located_point<FT> classify_on_boundary(const Unfolded_mesh<FT>& mesh, Index face
     else other = k;
   }
   if (!valid)
-    throw std::invalid_argument("Surface_mesh_geodesic_offset: a location in face " + std::to_string(name()) +
+    throw std::invalid_argument("Surface_mesh_geodesic_offset: a location in face " + std::to_string(name) +
                                 " does not lie in the face");
   if (zeros == 2) return Surface_point<FT>::at_vertex(mesh.source(3 * face + Index(other)));
   // Halfedge k is opposite to corner `zero`. The point must be projected: on a needle, a coordinate of the order of
@@ -122,9 +127,9 @@ Located_point<FT> classify_on_boundary(const Unfolded_mesh<FT>& mesh, Index face
   return Surface_point<FT>::on_edge(h, t);
 }
 
-// name(): the index of the face for messages.
-template <class FT, class Name>
-BOOST_FORCEINLINE Located_point<FT> classify(const Unfolded_mesh<FT>& mesh, Index face, const Name& name, std::array<FT, 3> w)
+// name: the index of the face for messages.
+template <class FT>
+BOOST_FORCEINLINE Located_point<FT> classify(const Unfolded_mesh<FT>& mesh, Index face, std::size_t name, std::array<FT, 3> w)
 {
   const FT sum = w[0] + w[1] + w[2];
   const FT eps = Number_policy<FT>::is_inexact ? FT(snapping_tolerance()) : FT(0);

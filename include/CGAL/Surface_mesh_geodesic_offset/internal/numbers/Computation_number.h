@@ -8,6 +8,7 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <tuple>
@@ -35,6 +36,11 @@ struct Computation_number
                 "<CGAL/Surface_mesh_geodesic_offset/Radical_numbers.h>");
   typedef FT type;
 };
+
+// The kernel of points in space in the core: one kernel for all kernels on doubles.
+template <class K>
+using Space_kernel =
+  std::conditional_t<std::is_same<typename K::FT, double>::value, Exact_predicates_inexact_constructions_kernel, K>;
 
 // The package's traits class that a class is or derives from; void for other classes.
 template <class K, class TriangleMesh>
@@ -78,7 +84,7 @@ struct Computation<Traits, Surface_mesh_geodesic_offset_traits<K, TriangleMesh>>
   static_assert(is_own_number || has_functors_of_package,
                 "Surface_mesh_geodesic_offset: with exact square roots, traits that are derived from "
                 "Surface_mesh_geodesic_offset_traits must have its functors: the computation is on other numbers");
-  typedef std::conditional_t<is_own_number, K, Simple_cartesian<Number>> Computing_kernel;
+  typedef std::conditional_t<is_own_number, Space_kernel<K>, Simple_cartesian<Number>> Computing_kernel;
   typedef std::conditional_t<has_functors_of_package, Surface_mesh_geodesic_offset_traits<Computing_kernel, void>, Traits>
     Computing_traits;
 

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The requested part of an offset, read from named parameters.
+// The requested part of an offset.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_OFFSET_SELECTION_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_OFFSET_SELECTION_H
@@ -9,7 +9,6 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/Offset_side.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/parameters/named_parameters.h>
 
 namespace CGAL {
 namespace Geodesic_offset {
@@ -19,15 +18,6 @@ struct Offset_selection
 {
   Offset_side side = Offset_side::BOTH;
   Offset_end end = Offset_end::ROUND;
-
-  Offset_selection() = default;
-
-  template <class NamedParameters>
-  explicit Offset_selection(const NamedParameters& np)
-    : side(parameters::choose_parameter(parameters::get_parameter(np, internal_np::geodesic_offset_side), Offset_side::BOTH)),
-      end(parameters::choose_parameter(parameters::get_parameter(np, internal_np::geodesic_end_style), Offset_end::ROUND))
-  {
-  }
 
   bool is_everything() const { return side == Offset_side::BOTH && end == Offset_end::ROUND; }
 

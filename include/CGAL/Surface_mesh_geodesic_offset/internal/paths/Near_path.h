@@ -86,8 +86,7 @@ public:
   {
   }
 
-  // `suffixes`: the cache of path suffixes of this field. These functions are defined outside the class, as they may be compiled
-  // separately (separate_functions.h).
+  // `suffixes`: the cache of path suffixes of this field.
   template <class Suffix_cache>
   FT distance(const Located_point<FT>& p, Suffix_cache& suffixes) const;
 
@@ -204,14 +203,6 @@ Path_start<FT> Near_path<FT>::operator()(const Located_point<FT>& p, Suffix_cach
   if (p.kind == Surface_point<FT>::VERTEX) set_distance(m_field.distance_of_path(p.element), start);
   else if (!start.is_at_source() && is_near(p, start.length()) && start.halfedge != no_index) measure(p, suffixes, start);
   return start;
-}
-
-// Start of the path from p in a build; not reached if p is beyond the distance limit.
-template <class FT, class Build>
-Path_start<FT> start_of_path(const Unfolded_mesh<FT>& mesh, const Build& build, const Located_point<FT>& p)
-{
-  const Path_start<FT> start = Near_path<FT>(mesh, build.initial, build.field, !build.is_approximate())(p, build.suffixes);
-  return start.distance > build.maximum ? Path_start<FT>() : start;
 }
 
 } // namespace internal

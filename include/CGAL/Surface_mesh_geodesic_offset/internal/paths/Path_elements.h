@@ -26,37 +26,34 @@ struct Passed_crossings : boost::container::small_vector<Path_crossing<FT>, 128>
   void set_apart(std::size_t) {}
 };
 
-// Calls out(p) for the start p of the path, a surface point or a located point; out(surface point) for each vertex and for the
-// source point at the end; out(crossing) for each crossed edge.
-template <class FT, class Function>
+// Appends the elements of a path after its start to a vector: each vertex, the source point at the end, and the crossing of each
+// crossed edge.
+template <class FT>
 class Path_elements
 {
 public:
   typedef Path_crossing<FT> Item;
 
-  explicit Path_elements(Function& out) : m_out(out) {}
+  explicit Path_elements(std::vector<Path_element<FT>>& out) : m_out(out) {}
 
   template <class P>
-  void start(const P& p)
+  void start(const P&)
   {
-    m_out(p);
   }
-
   // Receives the crossings of a straight part, which is complete with its end.
   Passed_crossings<FT>& passed() { return m_passed; }
   void end_part(const Suffix_end<FT>&) {}
-
   // Appends the items of a straight part.
   void append(const Item* q, const Item* last, const Suffix_end<FT>& end)
   {
     for (; q != last; ++q)
-      if (q->halfedge != no_index) m_out(*q);
-      else m_out(Surface_point<FT>::at_vertex(q->source));
-    m_out(end.point);
+      if (q->halfedge != no_index) m_out.push_back(*q);
+      else m_out.push_back(Surface_point<FT>::at_vertex(q->source));
+    m_out.push_back(end.point);
   }
 
 private:
-  Function& m_out;
+  std::vector<Path_element<FT>>& m_out;
   Passed_crossings<FT> m_passed;
 };
 

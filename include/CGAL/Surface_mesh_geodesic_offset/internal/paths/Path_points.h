@@ -8,15 +8,13 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
+#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Points_in_space.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_suffix_cache.h>
 
 #include <boost/container/small_vector.hpp>
 
 #include <algorithm>
 #include <cstddef>
-#include <iterator>
-#include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -24,10 +22,10 @@ namespace Geodesic_offset {
 namespace internal {
 
 // Crossings as points in space, computed at once while the processor would wait for the next step of the walk.
-template <class Surface>
-struct Passed_points : boost::container::small_vector<typename Surface::Point_3, 128>
+template <class Kernel>
+struct Passed_points : boost::container::small_vector<typename Kernel::Point_3, 128>
 {
-  explicit Passed_points(const Surface& s) : surface(s) {}
+  explicit Passed_points(const Points_in_space<Kernel>& s) : space(s) {}
 
   // The first n points are known to be distinct, as a Strip_walk keeps away from vertices.
   void set_apart(std::size_t n) { m_apart = n; }
@@ -38,85 +36,50 @@ struct Passed_points : boost::container::small_vector<typename Surface::Point_3,
     this->erase(std::unique(first, this->end()), this->end());
   }
 
-  typename Surface::Point_3 item(const Path_crossing<typename Surface::Number>& c) const { return surface.point(c); }
+  typename Kernel::Point_3 item(const Path_crossing<typename Kernel::FT>& c) const { return space.point(c); }
 
-  const Surface& surface;
+  const Points_in_space<Kernel>& space;
 
 private:
   std::size_t m_apart = 0;
 };
 
-// The vector of a back inserter; null for other output iterators.
-template <class Item, class OutputIterator>
-inline std::nullptr_t vector_behind(const OutputIterator&)
-{
-  return nullptr;
-}
-
-template <class Item, class Allocator>
-inline std::vector<Item, Allocator>* vector_behind(const std::back_insert_iterator<std::vector<Item, Allocator>>& out)
-{
-  typedef std::back_insert_iterator<std::vector<Item, Allocator>> Iterator;
-  struct Opened : Iterator
-  {
-    static std::vector<Item, Allocator>* container_of(const Iterator& i) { return i.*(&Opened::container); }
-  };
-  return Opened::container_of(out);
-}
-
-// Points in space, including the end of each straight part. Consecutive points equal up to rounding become one.
-template <class Surface, class OutputIterator>
+// Appends the points in space, including the end of each straight part, to a vector. Consecutive points equal up to rounding
+// become one.
+template <class Kernel>
 class Path_points
 {
 public:
-  typedef typename Surface::Number FT;
-  typedef typename Surface::Point_3 Item;
+  typedef typename Kernel::FT FT;
+  typedef typename Kernel::Point_3 Item;
 
-  Path_points(const Surface& surface, OutputIterator out) : m_surface(surface), m_out(out), m_passed(surface) {}
+  Path_points(const Points_in_space<Kernel>& space, std::vector<Item>& out) : m_space(space), m_out(out), m_passed(space) {}
 
   template <class P>
   void start(const P& p)
   {
-    m_last = m_surface.point(p);
-    *m_out++ = m_last;
+    m_last = m_space.point(p);
+    m_out.push_back(m_last);
   }
-
-  Passed_points<Surface>& passed() { return m_passed; }
+  Passed_points<Kernel>& passed() { return m_passed; }
   void end_part(const Suffix_end<FT>& end)
   {
-    m_passed.push_back(m_surface.point(end.point));
+    m_passed.push_back(m_space.point(end.point));
     m_passed.remove_repeated();
   }
-
   void append(const Item* q, const Item* last, const Suffix_end<FT>&)
   {
     if (q != last && *q == m_last) ++q;
     if (q == last) return;
     m_last = *(last - 1);
-    if constexpr (is_vector) std::copy(q, last, room_for(std::size_t(last - q)));
-    else
-      for (; q != last; ++q) *m_out++ = *q; // an output iterator that calls a lambda is not assignable
+    m_out.insert(m_out.end(), q, last);
   }
-
-  const OutputIterator& out() const { return m_out; }
 
 private:
-  static constexpr bool is_vector =
-    !std::is_same<decltype(vector_behind<Item>(std::declval<const OutputIterator&>())), std::nullptr_t>::value;
-
-  // Space at the end of the vector; filling it at once is faster than appending one by one.
-  Item* room_for(std::size_t n)
-  {
-    auto& items = *vector_behind<Item>(m_out);
-    const std::size_t size = items.size();
-    items.resize(size + n);
-    return items.data() + size;
-  }
-
-  const Surface& m_surface;
-  OutputIterator m_out;
+  const Points_in_space<Kernel>& m_space;
+  std::vector<Item>& m_out;
   Item m_last; // last written item
-  Passed_points<Surface> m_passed;
+  Passed_points<Kernel> m_passed;
 };
 
 } // namespace internal

@@ -13,7 +13,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_goals.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_suffix_cache.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_elements.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_start.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_start_query.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Strip_walk.h>
 
 #include <algorithm>

@@ -9,7 +9,7 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Surface_point.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Segment_seeding.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Initial_windows.h>
 
 #include <cstddef>
 #include <map>
@@ -43,8 +43,7 @@ public:
     for (const auto& s : m_sources) f(s.first, s.second);
   }
 
-  // \throws std::invalid_argument if rays cannot start from the source. Defined outside the class, as initial_windows(): they
-  // may be compiled separately (separate_functions.h).
+  // \throws std::invalid_argument if rays cannot start from the source
   static void check(const Unfolded_mesh<FT>& mesh, const Source& source);
 
   // True if this set consists of `before` and sources with later ids.
@@ -72,39 +71,17 @@ public:
   }
 
 private:
-  static void start(const Unfolded_mesh<FT>& mesh, const Source& s, Index id, Initial_windows<FT>& initial)
-  {
-    initial.set_start_value(s.start_value);
-    switch (s.kind)
-    {
-    case POINT: initial.add_point(id, s.points.front()); break;
-    case OPEN_POLYLINE: Segment_seeding<FT>(mesh, initial).add_polyline(id, s.points, false); break;
-    case CLOSED_POLYLINE: Segment_seeding<FT>(mesh, initial).add_polyline(id, s.points, true); break;
-    case EDGES: Segment_seeding<FT>(mesh, initial).add_edges(id, s.halfedges); break;
-    }
-  }
+  static void start(const Unfolded_mesh<FT>& mesh, const Source& s, Index id, Initial_windows<FT>& initial);
 
   std::map<std::size_t, Source> m_sources;
 };
 
-template <class FT>
-void Source_set<FT>::check(const Unfolded_mesh<FT>& mesh, const Source& source)
-{
-  Initial_windows<FT> trial(mesh);
-  start(mesh, source, 0, trial);
-}
-
-template <class FT>
-Initial_windows<FT> Source_set<FT>::initial_windows(const Unfolded_mesh<FT>& mesh) const
-{
-  Initial_windows<FT> initial(mesh);
-  for (const auto& s : m_sources) start(mesh, s.second, Index(s.first), initial);
-  initial.finish();
-  return initial;
-}
-
 } // namespace internal
 } // namespace Geodesic_offset
 } // namespace CGAL
+
+#ifndef CGAL_GEODESIC_OFFSET_COMPILED
+#include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Source_set_impl.h>
+#endif
 
 #endif

@@ -9,7 +9,7 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Bisector_arc.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Face_cells.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Bisector_diagram.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Voronoi_tolerances.h>
 
 #include <CGAL/assertions.h>
@@ -25,35 +25,6 @@
 namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
-
-// Where three arcs or more meet. The place is that of the end of an arc.
-template <class NT>
-struct Bisector_vertex
-{
-  Index face;
-  Point_in_face<NT> point;
-  unsigned char edge;                // halfedge of the face that has the point; 3: none
-  std::vector<std::size_t> curves{}; // that end here; one with both ends twice
-};
-
-template <class NT>
-struct Bisector_chain
-{
-  std::vector<Bisector_arc<NT>> arcs;
-  bool is_closed;
-  std::size_t start_vertex, end_vertex; // no_vertex: on the border
-  static constexpr std::size_t no_vertex = ~std::size_t(0);
-};
-
-template <class NT>
-struct Bisector_diagram
-{
-  std::vector<Bisector_chain<NT>> chains;
-  std::vector<Bisector_vertex<NT>> vertices;
-  std::vector<Index> label_of_face;                // of the center: of all points, if no bisector crosses the face
-  std::unordered_map<Index, Face_cells<NT>> cells; // of the faces that bisectors may cross
-  std::size_t divisions = 0, forced_cells = 0;
-};
 
 template <class NT>
 class Bisector_chains

@@ -3,12 +3,12 @@
 //
 // The data that copies of a Geodesic_mesh share: surface, locator and traits; classification of locations.
 
-#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_MESH_GEODESIC_MESH_DATA_H
-#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_MESH_GEODESIC_MESH_DATA_H
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_SURFACE_GEODESIC_MESH_DATA_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_SURFACE_GEODESIC_MESH_DATA_H
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Geodesic_surface.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/surface/Geodesic_surface.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/point_conversion.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Surface_locator.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/workers/Concurrency.h>
@@ -43,7 +43,7 @@ struct Geodesic_mesh_data
   typedef typename Surface::Number Number;
   typedef internal::Surface_point<Number> Surface_point;
   typedef internal::Located_point<Number> Located_point;
-  typedef internal::Surface_locator<Surface> Locator;
+  typedef internal::Surface_locator<Space_kernel<typename Surface::Kernel>, Number> Locator;
   typedef typename Surface::Graph_traits Graph_traits;
   typedef typename Surface::vertex_descriptor vertex_descriptor;
   typedef typename Surface::face_descriptor face_descriptor;
@@ -70,7 +70,7 @@ struct Geodesic_mesh_data
   const Locator& locator() const
   {
     surface_with_points();
-    std::call_once(m_locator_once, [this] { m_locator = std::make_shared<Locator>(shared_surface); });
+    std::call_once(m_locator_once, [this] { m_locator = std::make_shared<Locator>(unfolded(), surface()); });
     return *static_cast<const Locator*>(m_locator.get());
   }
 

@@ -1,14 +1,15 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The bisectors of a field with kept windows, in all faces.
+// Definitions for Bisector_diagram.h: the bisectors of all faces. Each edge has one list of gates, found by the first of its faces.
 
-#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_VORONOI_VORONOI_EXTRACTION_H
-#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_VORONOI_VORONOI_EXTRACTION_H
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_VORONOI_BISECTOR_DIAGRAM_IMPL_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_VORONOI_BISECTOR_DIAGRAM_IMPL_H
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Bisector_chains.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Bisector_diagram.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Face_bisectors.h>
 
 #include <cstddef>

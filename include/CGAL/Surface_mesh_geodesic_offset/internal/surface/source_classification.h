@@ -3,12 +3,12 @@
 //
 // Classification of the user's sources on a mesh.
 
-#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_SOURCES_SOURCE_CLASSIFICATION_H
-#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_SOURCES_SOURCE_CLASSIFICATION_H
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_SURFACE_SOURCE_CLASSIFICATION_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_SURFACE_SOURCE_CLASSIFICATION_H
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Geodesic_mesh_data.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/surface/Geodesic_mesh_data.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Source_set.h>
 
 #include <cstddef>

@@ -4,23 +4,26 @@
 // The user's mesh together with its unfolded mesh, and conversions between the two. Immutable; shared by the main class and
 // the offset curves.
 
-#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_MESH_GEODESIC_SURFACE_H
-#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_MESH_GEODESIC_SURFACE_H
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_SURFACE_GEODESIC_SURFACE_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_SURFACE_GEODESIC_SURFACE_H
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Kernel/global_functions.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Index_renumbering.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Face_frame.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Layout_by_lengths.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/point_conversion.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Surface_point.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Surface_points.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Unfolded_mesh.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Computation_number.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/surface/face_links.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/point_conversion.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/workers/Concurrency.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstddef>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -37,7 +40,7 @@ struct No_lengths
 };
 
 template <class Traits_, class VertexIndexMap, class FaceIndexMap, class VertexPointMap>
-struct Geodesic_surface
+struct Geodesic_surface : Surface_points<Space_kernel<typename Traits_::Kernel>>
 {
   typedef Traits_ Traits;
   typedef typename Computation<Traits>::Computing_traits Computing_traits;
@@ -46,6 +49,7 @@ struct Geodesic_surface
   typedef typename Traits::FT FT;
   typedef typename Traits::Point_3 Point_3;
   typedef typename Traits::Vector_3 Vector_3;
+  typedef typename Space_kernel<Kernel>::Point_3 Space_point;
   typedef typename Traits::Triangle_mesh Triangle_mesh;
   typedef boost::graph_traits<Triangle_mesh> Graph_traits;
   typedef typename Graph_traits::vertex_descriptor vertex_descriptor;
@@ -91,10 +95,27 @@ struct Geodesic_surface
     return converted_point<Point_3, FT>(get(vpm, v));
   }
 
-  // Indices in the unfolded mesh.
-  Index index_of(vertex_descriptor v) const { return numbers.of(v); }
-  Index index_of(face_descriptor f) const { return numbers.of(f); }
-  Index index_of_halfedge(halfedge_descriptor h) const { return numbers.of_halfedge(h); } // not of a border halfedge
+  Space_point point_of_vertex(Index v) const override
+  {
+    check_points();
+    return converted_point<Space_point, FT>(get(vpm, vertex_of[v]));
+  }
+
+  std::size_t mesh_index_of_face(Index f) const override { return index_in_mesh(face_of[f]); }
+
+  // Indices in the user's mesh.
+  std::size_t index_in_mesh(vertex_descriptor v) const { return std::size_t(get(vertex_indices, v)); }
+  std::size_t index_in_mesh(face_descriptor f) const { return std::size_t(get(face_indices, f)); }
+
+  // Indices in the unfolded mesh; no_index or an unused index for elements of another mesh.
+  Index index_of(vertex_descriptor v) const { return numbers.of_any_vertex(index_in_mesh(v)); }
+  Index index_of(face_descriptor f) const { return numbers.of_any_face(index_in_mesh(f)); }
+  Index index_of_halfedge(halfedge_descriptor h) const // precondition: h is not a border halfedge
+  {
+    const face_descriptor f = face(h, tm);
+    const halfedge_descriptor first = halfedge(f, tm);
+    return 3 * index_of(f) + (h == first ? 0 : next(first, tm) == h ? 1 : 2);
+  }
 
   // Checked indices: the arrays of descriptors have those of the mesh, so removed elements, and elements of other meshes, differ.
   // \throws std::invalid_argument if the vertex is null, removed or of another mesh
@@ -103,7 +124,7 @@ struct Geodesic_surface
     if (v == Graph_traits::null_vertex()) throw std::invalid_argument("Surface_mesh_geodesic_offset: the null vertex");
     const Index i = index_of(v);
     if (!(i < vertex_of.size()) || vertex_of[i] != v)
-      throw std::invalid_argument("Surface_mesh_geodesic_offset: vertex " + std::to_string(numbers.index_in_mesh(v)) +
+      throw std::invalid_argument("Surface_mesh_geodesic_offset: vertex " + std::to_string(index_in_mesh(v)) +
                                   " is not of this mesh, or is removed");
     return i;
   }
@@ -114,7 +135,7 @@ struct Geodesic_surface
     if (f == Graph_traits::null_face()) throw std::invalid_argument("Surface_mesh_geodesic_offset: the null face");
     const Index i = index_of(f);
     if (!(i < face_of.size()) || face_of[i] != f)
-      throw std::invalid_argument("Surface_mesh_geodesic_offset: face " + std::to_string(numbers.index_in_mesh(f)) +
+      throw std::invalid_argument("Surface_mesh_geodesic_offset: face " + std::to_string(index_in_mesh(f)) +
                                   " is not of this mesh, or is removed");
     return i;
   }
@@ -122,8 +143,7 @@ struct Geodesic_surface
   // \throws std::invalid_argument if the location is not valid
   Located_point<Number> classified(const Face_location& l) const
   {
-    return classify<Number>(
-      unfolded, checked_index_of(l.first), [&] { return numbers.index_in_mesh(l.first); }, imported(l.second));
+    return classify<Number>(unfolded, checked_index_of(l.first), index_in_mesh(l.first), imported(l.second));
   }
 
   // Index of the halfedge, or of its opposite if it is a border halfedge.
@@ -190,6 +210,15 @@ struct Geodesic_surface
   }
 
   Face_location location(const Path_crossing<Number>& p) const { return location_on(p.halfedge, exported(p.part)); }
+
+  // Location of a crossing, or of a vertex on a path.
+  Face_location location_of_element(const Path_crossing<Number>& p) const
+  {
+    return p.halfedge == no_index ? location(Surface_point<Number>::at_vertex(p.source)) : location(p);
+  }
+
+  // Location with a face of the unfolded mesh.
+  Face_location location(const std::pair<Index, Barycentric_coordinates>& l) const { return {face_of[l.first], l.second}; }
 
   // Location on halfedge h at parameter t.
   Face_location location_on(Index h, const FT& t) const
@@ -261,8 +290,10 @@ struct Geodesic_surface
 
   const Triangle_mesh& tm;
   const bool has_points;
+  VertexIndexMap vertex_indices;
+  FaceIndexMap face_indices;
   VertexPointMap vpm;
-  Index_renumbering<Triangle_mesh, VertexIndexMap, FaceIndexMap> numbers;
+  Index_renumbering numbers;
   Unfolded_mesh<Number> unfolded;
   std::vector<face_descriptor> face_of;     // by index in the unfolded mesh
   std::vector<vertex_descriptor> vertex_of; // by index in the unfolded mesh
@@ -284,13 +315,14 @@ private:
                    const VertexPointMap& point_map, const LengthMap& length_map,
                    const std::vector<vertex_descriptor>& all_vertices, const std::vector<face_descriptor>& all_faces,
                    const Traits& traits, Team& team)
-    : tm(mesh), has_points(std::is_same<LengthMap, No_lengths>::value), vpm(point_map),
-      numbers(mesh, vim, fim, all_vertices, all_faces)
+    : tm(mesh), has_points(std::is_same<LengthMap, No_lengths>::value), vertex_indices(vim), face_indices(fim), vpm(point_map),
+      numbers(end_of_indices(vim, all_vertices, (std::size_t(1) << 29) - 1),
+              end_of_indices(fim, all_faces, (std::size_t(1) << 30) - 1))
   {
-    const All_face_links links = numbers.face_links(all_faces, team);
+    const All_face_links links = face_links(tm, all_faces, vim, fim, numbers.faces_end(), team);
     // coordinates of other than built-in types may share memory, so one thread reads them
     auto&& readers_of_points = team_or_alone(team);
-    if (has_points) numbers.renumber_if_scattered(links, all_vertices, vpm, readers_of_points);
+    if (has_points) renumber_if_scattered(links, all_vertices, readers_of_points);
     face_of.assign(numbers.faces_end(), Graph_traits::null_face()); // unused indices keep the null descriptor
     std::vector<Index> face_at(numbers.faces_end(), no_index);
     Blocks(all_faces.size(), team.size()).for_each(team, [&](Index, std::size_t begin, std::size_t end) {
@@ -298,7 +330,7 @@ private:
       {
         const Index i = index_of(all_faces[k]);
         face_of[i] = all_faces[k];
-        face_at[i] = Index(numbers.index_in_mesh(all_faces[k]));
+        face_at[i] = Index(index_in_mesh(all_faces[k]));
       }
     });
     vertex_of.assign(numbers.vertices_end(), Graph_traits::null_vertex());
@@ -328,12 +360,43 @@ private:
         for (Index k = 0; k < 3; ++k, h = next(h, tm))
           lengths[3 * index_of(f) + k] = imported(FT(get(length_map, edge(h, tm))));
       }
-      unfolded = Unfolded_mesh<Number>(numbers, links, face_at, vertex_of.size(), Layout_by_lengths<Number>(lengths), team);
+      unfolded = Unfolded_mesh<Number>(numbers, links, face_at, vertex_of.size(), lengths, team);
     }
     if (!unfolded.has_usable_scale())
       throw std::invalid_argument("Surface_mesh_geodesic_offset: the longest edge is too long or too short for the number "
                                   "type: the mesh must be scaled");
     if (!unfolded.is_laid_out()) throw_degenerate_face();
+  }
+
+  // One more than the largest index; 0 if there are no elements.
+  // \throws std::length_error if an index is not less than `limit`
+  template <class IndexMap, class Descriptor>
+  static std::size_t end_of_indices(const IndexMap& indices, const std::vector<Descriptor>& elements, std::size_t limit)
+  {
+    std::size_t largest = 0;
+    for (const Descriptor e : elements) largest = (std::max)(largest, std::size_t(get(indices, e)));
+    if (largest >= limit)
+      throw std::length_error("Surface_mesh_geodesic_offset: the mesh has too many elements for 32-bit indices, or indices "
+                              "that are not set");
+    return elements.empty() ? 0 : largest + 1;
+  }
+
+  template <class Team>
+  void renumber_if_scattered(const All_face_links& links, const std::vector<vertex_descriptor>& all_vertices, Team& team)
+  {
+    std::vector<Index> indices(all_vertices.size());
+    for (std::size_t i = 0; i < indices.size(); ++i) indices[i] = Index(index_in_mesh(all_vertices[i]));
+    const auto finite = [](const auto& x) {
+      const double d = CGAL::to_double(x);
+      return std::isfinite(d) ? d : 0.; // reported later
+    };
+    numbers.renumber_if_scattered(
+      links, indices,
+      [&](std::size_t i) {
+        const auto& p = get(vpm, all_vertices[i]);
+        return Per_corner<double>(finite(p.x()), finite(p.y()), finite(p.z()));
+      },
+      team);
   }
 
   // True if the index of a halfedge is in use, for meshes that provide this information, such as CGAL::Surface_mesh.
@@ -359,7 +422,7 @@ private:
   {
     for (face_descriptor f : faces(tm))
       if (!unfolded.has_area(index_of(f)))
-        throw std::invalid_argument("Surface_mesh_geodesic_offset: face " + std::to_string(numbers.index_in_mesh(f)) +
+        throw std::invalid_argument("Surface_mesh_geodesic_offset: face " + std::to_string(index_in_mesh(f)) +
                                     (has_points ? " is degenerate or has a coordinate that is not finite"
                                                 : ": the lengths of its edges do not satisfy the triangle inequality, or are "
                                                   "not finite"));

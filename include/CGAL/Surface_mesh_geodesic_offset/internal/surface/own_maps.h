@@ -3,8 +3,8 @@
 //
 // Metafunctions for the property maps of the mesh type. A mesh type needs a map only if no named parameter gives one.
 
-#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_MESH_OWN_MAPS_H
-#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_MESH_OWN_MAPS_H
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_SURFACE_OWN_MAPS_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_SURFACE_OWN_MAPS_H
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 

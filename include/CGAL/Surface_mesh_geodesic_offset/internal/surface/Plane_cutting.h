@@ -8,13 +8,13 @@
 // negative, in the plane, positive; a side without a face counts as in the plane. The higher side is on the left. Polylines
 // consist of directed segments. Edges whose sides are equal are touched edges, without a direction.
 
-#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_SOURCES_PLANE_CUTTING_H
-#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_SOURCES_PLANE_CUTTING_H
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_SURFACE_PLANE_CUTTING_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_SURFACE_PLANE_CUTTING_H
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/Geodesic_plane_section.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Geodesic_surface.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/surface/Geodesic_surface.h>
 
 #include <CGAL/assertions.h>
 

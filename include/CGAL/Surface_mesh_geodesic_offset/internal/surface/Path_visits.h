@@ -3,16 +3,30 @@
 //
 // Visits of the elements of a path, from Path_elements.
 
-#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_PATHS_PATH_VISITS_H
-#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_PATHS_PATH_VISITS_H
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_SURFACE_PATH_VISITS_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_SURFACE_PATH_VISITS_H
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_suffix_cache.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Surface_point.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_start.h>
+
+#include <variant>
+#include <vector>
 
 namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
+
+// Calls out(p) for the start p of a path, and out(crossing) or out(surface point) for the elements that it meets.
+template <class Build, class FT, class Function>
+void visit_path(const Build& build, const Located_point<FT>& p, const Path_start<FT>& start, const Function& out)
+{
+  std::vector<Path_element<FT>> path;
+  build.trace_path(p, start, path);
+  out(p);
+  for (const Path_element<FT>& e : path) std::visit(out, e);
+}
 
 // Passes the elements of a path to a visitor in the form of Surface_mesh_shortest_path.
 template <class Surface, class Visitor>

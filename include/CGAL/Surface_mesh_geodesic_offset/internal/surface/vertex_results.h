@@ -3,12 +3,12 @@
 //
 // Results of a build at all vertices, written to property maps.
 
-#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_VERTEX_RESULTS_H
-#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_VERTEX_RESULTS_H
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_SURFACE_VERTEX_RESULTS_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_SURFACE_VERTEX_RESULTS_H
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Geodesic_mesh_data.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/surface/Geodesic_mesh_data.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Number_policy.h>
 
 #include <cstddef>

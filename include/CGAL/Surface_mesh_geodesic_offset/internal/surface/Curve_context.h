@@ -3,12 +3,12 @@
 //
 // Data shared by offset curves: the surface, and the sources.
 
-#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CURVES_CURVE_CONTEXT_H
-#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CURVES_CURVE_CONTEXT_H
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_SURFACE_CURVE_CONTEXT_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_SURFACE_CURVE_CONTEXT_H
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Geodesic_surface.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/surface/Geodesic_surface.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Initial_windows.h>
 
 #include <memory>

@@ -1,0 +1,248 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Definitions for Geodesic_build.h.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_GEODESIC_BUILD_IMPL_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_GEODESIC_BUILD_IMPL_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Geodesic_build.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/field/Farthest_point.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/front/Wavefront.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Near_path.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_elements.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_points.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_tracing.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Source_set.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/workers/Concurrency.h>
+
+#include <CGAL/assertions.h>
+
+#include <chrono>
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+inline double seconds_since(std::chrono::steady_clock::time_point t)
+{
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - t).count();
+}
+
+// Searches finalized faces for the farthest point if requested, and passes them on.
+template <class FT, class Team>
+class Searching_consumer : public Face_consumer<FT, Team>
+{
+public:
+  // search: null if there is none
+  Searching_consumer(Farthest_point<FT>* search, Face_consumer<FT, Team>& consumer) : m_search(search), m_consumer(consumer) {}
+
+  bool reads_lists() const override { return m_consumer.reads_lists(); }
+  void process_finalized(const std::vector<Index>& faces, Team& team) override
+  {
+    if (m_search != nullptr) m_search->add(faces);
+    m_consumer.process_finalized(faces, team);
+  }
+  void settled_up_to(const FT& distance) override { m_consumer.settled_up_to(distance); }
+  bool needs_pending_faces(const FT& settled, std::size_t number, const std::vector<Index>& finalized) override
+  {
+    return m_consumer.needs_pending_faces(settled, number, finalized);
+  }
+  void process_pending(const std::vector<Index>& faces, const FT& settled, Team& team) override
+  {
+    m_consumer.process_pending(faces, settled, team);
+  }
+
+private:
+  Farthest_point<FT>* m_search;
+  Face_consumer<FT, Team>& m_consumer;
+};
+
+template <class Traits>
+Geodesic_build<Traits>::Geodesic_build(const Unfolded_mesh<FT>& mesh, const Source_set<FT>& source_set,
+                                       const Build_request<FT>& request)
+  : sources(source_set), initial(sources.initial_windows(mesh)), maximum(request.maximum), kept(request.keeps_windows),
+    suffixes(mesh.number_of_vertices()), suffixes_in_space(mesh.number_of_vertices()), m_mesh(mesh), m_request(request)
+{
+  field.clear(mesh, initial.start_values);
+}
+
+template <class Traits>
+Geodesic_build<Traits>::Geodesic_build(const Geodesic_build& before, const Source_set<FT>& source_set,
+                                       const Build_request<FT>& request)
+  : sources(source_set), initial(sources.initial_windows(before.m_mesh)), maximum(request.maximum),
+    kept(request.keeps_windows), suffixes(before.m_mesh.number_of_vertices()),
+    suffixes_in_space(before.m_mesh.number_of_vertices()), m_mesh(before.m_mesh), m_request(request),
+    m_first_new(Index(before.initial.primitives.size()))
+{
+  field.start_from(before.field, initial.start_values);
+}
+
+template <class Traits>
+Geodesic_build<Traits>::~Geodesic_build() = default;
+
+template <class Traits>
+template <class Concurrency_tag, unsigned parts>
+void Geodesic_build<Traits>::propagate(const Traits& traits)
+{
+  Face_consumer<FT, typename Concurrency<Concurrency_tag, FT>::Team::Type> consumer;
+  run<Concurrency_tag, parts>(traits, consumer);
+}
+
+template <class Traits>
+template <class Concurrency_tag, unsigned parts>
+void Geodesic_build<Traits>::run(const Traits& traits, Consumer_of<Concurrency_tag>& consumer)
+{
+  const auto start = std::chrono::steady_clock::now();
+  CGAL_precondition((parts & SEARCH) != 0 || !m_request.finds_farthest);
+  if constexpr ((parts & SEARCH) != 0)
+  {
+    std::optional<Farthest_point<FT>> search;
+    if (m_request.finds_farthest) search.emplace(m_mesh, initial, field);
+    // An update passes on only the faces that it improves.
+    const bool searches_on_the_way = search && m_first_new == 0;
+    Searching_consumer<FT, typename Concurrency<Concurrency_tag, FT>::Team::Type> searching(
+      searches_on_the_way ? &*search : nullptr, consumer);
+    run_front<Concurrency_tag, parts & ~SEARCH>(traits, searching);
+    if (search)
+    {
+      if (!searches_on_the_way) search->add_all();
+      farthest = search->result();
+      statistics.faces_searched = search->number_of_searched_faces();
+    }
+  }
+  else run_front<Concurrency_tag, parts & ~SEARCH>(traits, consumer);
+  statistics.kept_bytes = field.kept.bytes();
+  statistics.propagation_seconds = seconds_since(start);
+  if (!is_cancelled && m_request.goes_on) m_request.goes_on(1.);
+  m_request.release_inputs();
+}
+
+template <class Traits>
+template <class Concurrency_tag, unsigned parts>
+void Geodesic_build<Traits>::run_front(const Traits& traits, Consumer_of<Concurrency_tag>& consumer)
+{
+  const std::size_t signs = Sign_decisions<FT>::all(), exact_signs = Sign_decisions<FT>::exact();
+  typedef typename Concurrency<Concurrency_tag, FT>::Tag Tag;
+  CGAL_precondition((parts & MERGING) != 0 || !is_approximate());
+  const Front_traits<Traits, parts> front_traits(traits);
+  Wavefront<Front_traits<Traits, parts>, Tag> front(m_mesh, initial, front_traits, maximum, kept, consumer.reads_lists(), field, m_request.tolerance);
+  std::size_t next_target = 0;
+  const auto goes_on = [&](const FT& distance, std::size_t passed) {
+    const auto& targets = m_request.targets;
+    while (next_target < targets.size() && is_final(front, targets[next_target], distance)) ++next_target;
+    has_all_targets = !targets.empty() && next_target == targets.size();
+    if (has_all_targets) return false;
+    is_cancelled = m_request.goes_on && !m_request.goes_on(double(passed) / double(m_mesh.number_of_faces()));
+    return !is_cancelled;
+  };
+  front.run(consumer, goes_on, m_first_new);
+  maximum = front.maximum();
+  if constexpr ((parts & MERGING) != 0)
+    if (front.merging().is_on()) take_errors(front.merging(), front.merging_counts());
+  if (!is_approximate() && front.has_bent_paths()) follow_ways_back();
+  statistics.sign_decisions = Sign_decisions<FT>::all() - signs;
+  statistics.exact_decisions = Sign_decisions<FT>::exact() - exact_signs;
+  statistics.windows_created = front.counts().windows_created;
+  statistics.windows_propagated = front.counts().windows_propagated;
+  statistics.windows_peak = field.lists.peak();
+  field.release_front();
+  field.path_length = Near_path<FT>(m_mesh, initial, field, !is_approximate()).lengths_at_vertices(maximum);
+}
+
+// Replaces directions at vertices by those of the traced paths, also where rounding hides the straight ones.
+template <class Traits>
+void Geodesic_build<Traits>::follow_ways_back()
+{
+  const Path_tracing<FT> paths(m_mesh, initial, field);
+  constexpr Index ahead = 16;
+  for (Index v = 0; v < m_mesh.number_of_vertices(); ++v)
+  {
+    if (v + ahead < m_mesh.number_of_vertices() && field.back[v + ahead].corner != no_index)
+      m_mesh.prefetch_face(field.back[v + ahead].corner);
+    const Backtrace<FT> spread = field.back[v];
+    if (paths.find_backtrace(v, field.back[v], field.source_ref[v]) && m_mesh.can_be_pseudo_source(v))
+      field.back_of_sector.emplace(v, spread);
+  }
+}
+
+// Stores the errors of merged windows. A merged window has no pseudo-source, so the backtrace ends at its image.
+template <class Traits>
+void Geodesic_build<Traits>::take_errors(const Window_merging<FT>& merging, const Merging_counts& counts)
+{
+  statistics.windows_merged = counts.windows_merged;
+  statistics.error_bound = counts.error_bound;
+  statistics.relative_error_bound = counts.relative_error_bound;
+  field.error.resize(field.back.size());
+  for (std::size_t v = 0; v < field.error.size(); ++v) field.error[v] = merging.error_of_origin(field.back[v].pseudo_source);
+  for (Backtrace<FT>& back : field.back)
+    if (Merge_error_code::is_merged(back.pseudo_source)) back.pseudo_source = no_index;
+}
+
+// True if the distance of a point is final when the front is at a distance.
+template <class Traits>
+template <class Front>
+bool Geodesic_build<Traits>::is_final(const Front& front, const Surface_point<FT>& p, const FT& distance) const
+{
+  if (p.kind == Surface_point<FT>::VERTEX) return field.distance[p.element] <= distance;
+  return front.largest_distance(p.kind == Surface_point<FT>::EDGE ? m_mesh.face(p.element) : p.element) <= distance;
+}
+
+template <class Traits>
+typename Traits::FT Geodesic_build<Traits>::distance(const Located_point<FT>& p) const
+{
+  return Near_path<FT>(m_mesh, initial, field, !is_approximate()).distance(p, suffixes);
+}
+
+template <class Traits>
+Path_start<typename Traits::FT> Geodesic_build<Traits>::path_start(const Located_point<FT>& p) const
+{
+  const Path_start<FT> start = Near_path<FT>(m_mesh, initial, field, !is_approximate())(p, suffixes);
+  return start.distance > maximum ? Path_start<FT>() : start;
+}
+
+template <class Traits>
+Suffix_end<typename Traits::FT> Geodesic_build<Traits>::path_end(const Located_point<FT>& p, const Path_start<FT>& start) const
+{
+  No_path_output<FT> nothing;
+  return Path_tracing<FT>(m_mesh, initial, field)(p, start, suffixes, nothing);
+}
+
+template <class Traits>
+Suffix_end<typename Traits::FT> Geodesic_build<Traits>::trace_path(const Located_point<FT>& p, const Path_start<FT>& start,
+                                        std::vector<Path_element<FT>>& path) const
+{
+  Path_elements<FT> elements(path);
+  return Path_tracing<FT>(m_mesh, initial, field)(p, start, suffixes, elements);
+}
+
+template <class Traits>
+template <class Kernel>
+void Geodesic_build<Traits>::trace_path_in_space(const Located_point<FT>& p, const Path_start<FT>& start,
+                                                 const Surface_points<Kernel>& surface_points,
+                                                 std::vector<typename Kernel::Point_3>& path) const
+{
+  const Points_in_space<Kernel> space(m_mesh, surface_points);
+  Path_points<Kernel> points(space, path);
+  Path_tracing<FT>(m_mesh, initial, field)(p, start, suffixes_in_space, points);
+}
+
+template <class Traits>
+std::optional<Farthest<typename Traits::FT>> Geodesic_build<Traits>::find_farthest() const
+{
+  Farthest_point<FT> search(m_mesh, initial, field);
+  search.add_all();
+  return search.result();
+}
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif

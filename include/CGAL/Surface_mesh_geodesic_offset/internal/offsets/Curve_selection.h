@@ -1,0 +1,78 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Chains the cut pieces of a level, drops loops that rounding makes, and selects the requested side.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_CURVE_SELECTION_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_CURVE_SELECTION_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/Offset_levels.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Inner_side.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Level_curves.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Shallow_loop.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Side_selection.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/level_cutting.h>
+
+#include <cstddef>
+#include <map>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+template <class FT>
+class Curve_selection
+{
+public:
+  // Propagates from each closed polyline if its inner or outer side is selected. All arguments must outlive this object.
+  template <class Build, class Traits>
+  Curve_selection(const Unfolded_mesh<FT>& mesh, const Build& build, const Traits& traits, const Level_request<FT>& request,
+                  const Level_output<FT>& out)
+    : m_levels(request.levels), m_select(request.selection, build.initial.primitives, inside(mesh, build, traits, request)),
+      m_is_shallow(mesh, build.field.distance), m_edge(mesh.mean_edge_length()), m_out(out)
+  {
+    // With a spacing below the rounding of distances, the number of levels would be practically unlimited.
+    if (m_levels.is_unlimited() && m_levels[0] < Offset_tolerances<FT>::least_spacing(mesh.longest_edge()))
+      throw std::invalid_argument("Surface_mesh_geodesic_offset: the spacing of offsets is less than the rounding of "
+                                  "distances");
+  }
+
+  void operator()(std::size_t level, const Level_curves<FT>& cut) const
+  {
+    std::vector<Level_curve<FT>> curves;
+    const FT shortest = Offset_tolerances<FT>::shortest_part(m_levels[level] + m_edge);
+    cut.for_each_curve([&](bool closed, std::vector<Level_piece<FT>>&& pieces) {
+      if (m_is_shallow(closed, pieces, m_levels[level])) return;
+      m_select(shortest, closed, std::move(pieces), [&](bool is_closed, std::vector<Level_piece<FT>>&& part) {
+        curves.push_back({is_closed, std::move(part)});
+      });
+    });
+    m_out(level, std::move(curves));
+  }
+
+private:
+  template <class Build, class Traits>
+  static std::map<Index, Source_side> inside(const Unfolded_mesh<FT>& mesh, const Build& build, const Traits& traits,
+                                             const Level_request<FT>& request)
+  {
+    if (!request.selection.needs_inner_sides()) return {};
+    return inner_sides(mesh, traits, build.sources);
+  }
+
+  const Offset_levels<FT>& m_levels;
+  const Side_selection m_select;
+  const Shallow_loop<FT> m_is_shallow;
+  const FT m_edge; // mean length
+  const Level_output<FT>& m_out;
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif

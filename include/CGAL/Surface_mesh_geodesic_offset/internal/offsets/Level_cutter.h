@@ -1,0 +1,108 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Consumer of the wavefront that cuts finalized faces at levels.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_LEVEL_CUTTER_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_LEVEL_CUTTER_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/Geodesic_offset_statistics.h>
+#include <CGAL/Surface_mesh_geodesic_offset/Offset_levels.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/front/Face_consumer.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Curve_selection.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Offset_extraction.h>
+
+#include <chrono>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+// Consumer of Wavefront::run() that cuts faces at all levels. Calls the output for each level that is complete and has curves.
+template <class FT, class Team>
+class Level_cutter : public Face_consumer<FT, Team>
+{
+public:
+  bool reads_lists() const override { return true; }
+
+  // `out` must outlive this object.
+  template <class Build>
+  Level_cutter(const Unfolded_mesh<FT>& mesh, const Build& build, const Offset_levels<FT>& levels, const Curve_selection<FT>& out)
+    : m_tolerance(build.request().tolerance),
+      m_extraction(mesh, build.initial, build.field, levels, build.maximum, m_tolerance), m_out(out)
+  {
+  }
+
+  void process_finalized(const std::vector<Index>& faces, Team& team) override
+  {
+    add_time_of([&] { this->m_extraction.cut(faces, team); });
+  }
+
+  bool needs_pending_faces(const FT& settled, std::size_t number, const std::vector<Index>& finalized) override
+  {
+    return m_extraction.needs_pending_faces(m_tolerance.least_of(settled), number, finalized);
+  }
+
+  void process_pending(const std::vector<Index>& faces, const FT& settled, Team& team) override
+  {
+    add_time_of([&] {
+      this->m_extraction.cut_pending(faces, m_tolerance.least_of(settled), team, [this](const FT& distance) {
+        this->release(distance);
+      });
+    });
+  }
+
+  void settled_up_to(const FT& distance) override { release(m_tolerance.least_of(distance)); }
+
+  // Releases the remaining curves up to the distance of the propagation, and completes the statistics of Geodesic_build::run(),
+  // whose propagation time then excludes cutting and output. To be called once, after run().
+  void finish(const FT& distance, Geodesic_offset_statistics& statistics)
+  {
+    m_extraction.release_all(distance, m_out);
+    statistics.propagation_seconds -= m_seconds_within_propagation;
+    statistics.offset_seconds = m_seconds;
+    statistics.pieces = m_extraction.number_of_pieces();
+    statistics.pieces_peak = m_extraction.largest_number_of_waiting_pieces();
+    statistics.forced_joints = m_extraction.number_of_forced_joints();
+  }
+
+private:
+  typedef std::chrono::steady_clock Clock;
+
+  static double seconds_since(Clock::time_point t) { return std::chrono::duration<double>(Clock::now() - t).count(); }
+
+  void release(const FT& distance)
+  {
+    const Clock::time_point start = Clock::now();
+    m_extraction.release(distance, m_out);
+    m_seconds_within_propagation += seconds_since(start);
+  }
+
+  // Adds the time of cutting to both times. release(), which `cutting` may call, adds its own time to the second one only.
+  template <class Cutting>
+  void add_time_of(const Cutting& cutting)
+  {
+    const Clock::time_point start = Clock::now();
+    const double before = m_seconds_within_propagation;
+    cutting();
+    const double time = seconds_since(start) - (m_seconds_within_propagation - before);
+    m_seconds += time;
+    m_seconds_within_propagation += time;
+  }
+
+  const Merging_tolerance<FT> m_tolerance; // unsettled points may be nearer than the settled distance by this
+  Offset_extraction<FT> m_extraction;
+  const Curve_selection<FT>& m_out;
+  double m_seconds = 0;                    // of cutting
+  double m_seconds_within_propagation = 0; // of cutting and output
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif
