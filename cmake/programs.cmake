@@ -10,12 +10,6 @@ if(NOT TARGET Surface_mesh_geodesic_offset::Surface_mesh_geodesic_offset) # alon
   add_subdirectory("${CMAKE_CURRENT_LIST_DIR}/.." Surface_mesh_geodesic_offset EXCLUDE_FROM_ALL)
 endif()
 
-# Several threads, where there is TBB.
-find_package(TBB QUIET)
-if(TBB_FOUND)
-  include(CGAL_TBB_support)
-endif()
-
 # OpenMesh, by its files: the package configuration of Debian 12 does not find its library.
 find_path(GEODESIC_OFFSET_OPENMESH_INCLUDE_DIR OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh)
 find_library(GEODESIC_OFFSET_OPENMESH_LIBRARY OpenMeshCore)
@@ -33,6 +27,6 @@ function(add_untested_program file)
     check_program(${name} "${CMAKE_CURRENT_SOURCE_DIR}/${file}" ${ARGN})
   else()
     add_executable(${name} ${file})
-    target_link_libraries(${name} PRIVATE Surface_mesh_geodesic_offset::Surface_mesh_geodesic_offset CGAL::Data ${ARGN})
+    target_link_libraries(${name} PRIVATE Surface_mesh_geodesic_offset::compiled CGAL::Data ${ARGN})
   endif()
 endfunction()

@@ -498,7 +498,7 @@ public:
     namespace internal = Geodesic_offset::internal;
     internal::check_named_parameters<internal::Build_parameters, NamedParameters>();
     const auto fresh = std::make_shared<Build>(data().unfolded(), classified_sources(), request(np));
-    fresh->template propagate<internal::Concurrency_tag_of<NamedParameters>, internal::build_parts_of<NamedParameters>>(data().traits);
+    fresh->template propagate<internal::Concurrency_tag_of<NamedParameters>, Build::parts_for(internal::build_parts_of<NamedParameters>)>(data().traits);
     internal::report(fresh->statistics, np);
     return m_field = field_of(fresh);
   }
@@ -547,7 +547,7 @@ public:
     const auto sources = classified_sources();
     const bool grows = can_grow && sources.extends(b.sources);
     const auto fresh = grows ? std::make_shared<Build>(b, sources, r) : std::make_shared<Build>(data().unfolded(), sources, r);
-    fresh->template propagate<internal::Concurrency_tag_of<NamedParameters>>(data().traits);
+    fresh->template propagate<internal::Concurrency_tag_of<NamedParameters>, Build::parts_for(internal::ALL_PARTS)>(data().traits);
     internal::report(fresh->statistics, np);
     if (!fresh->is_cancelled) m_field = field_of(fresh);
     return m_field;

@@ -6,6 +6,7 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
+#include <CGAL/Surface_mesh_geodesic_offset/core_definitions.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/radical_numbers/Radical_number.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Computation_number.h>
 

@@ -60,10 +60,10 @@ Geodesic_voronoi_diagram_type<TriangleMesh, NamedParameters> construct_geodesic_
 {
   namespace internal = Geodesic_offset::internal;
   internal::check_named_parameters<internal::Voronoi_call_parameters, NamedParameters>();
-  const internal::One_call<TriangleMesh, NamedParameters> call(tm, sources, np);
+  const internal::One_call<TriangleMesh, Sources, NamedParameters> call(tm, sources, np);
   auto request = call.request();
   request.keeps_windows = true;
-  const auto build = call.template propagated<internal::build_parts_of<NamedParameters> | internal::KEPT_WINDOWS>(request);
+  const auto build = call.template propagated<internal::KEPT_WINDOWS>(request);
   return Geodesic_voronoi_diagram_type<TriangleMesh, NamedParameters>(call.data(), *build);
 }
 

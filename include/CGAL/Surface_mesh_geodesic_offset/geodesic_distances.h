@@ -56,7 +56,7 @@ void geodesic_distances(const TriangleMesh& tm, const Sources& sources, VertexDi
 {
   namespace internal = Geodesic_offset::internal;
   internal::check_named_parameters<internal::Distance_call_parameters, NamedParameters>();
-  const internal::One_call<TriangleMesh, NamedParameters> call(tm, sources, np);
+  const internal::One_call<TriangleMesh, Sources, NamedParameters> call(tm, sources, np);
   const auto build = call.propagated(call.request());
   internal::write_vertex_distances(call.data(), *build, distances);
 }

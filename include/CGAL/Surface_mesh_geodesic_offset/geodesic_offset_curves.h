@@ -74,7 +74,7 @@ OutputIterator geodesic_offset_curves(const TriangleMesh& tm, const Sources& sou
                                       const NamedParameters& np = parameters::default_values())
 {
   namespace internal = Geodesic_offset::internal;
-  typedef internal::One_call<TriangleMesh, NamedParameters> Call;
+  typedef internal::One_call<TriangleMesh, Sources, NamedParameters> Call;
   internal::check_named_parameters<internal::Offset_call_parameters, NamedParameters>();
   const auto wanted = internal::offset_levels<typename Call::Surface>(levels);
   const Call call(tm, sources, np);
@@ -82,7 +82,7 @@ OutputIterator geodesic_offset_curves(const TriangleMesh& tm, const Sources& sou
   if (!wanted.is_unlimited() && wanted.size() > 0) request.maximum = (std::min)(request.maximum, wanted[wanted.size() - 1]);
   auto build = call.build(request);
   const auto write = internal::curve_writer<Geodesic_offset_curve_type<TriangleMesh, NamedParameters>>(out);
-  internal::propagate_and_cut<typename Call::Concurrency_tag, internal::build_parts_of<NamedParameters>>(call.data(), build, wanted, internal::offset_selection(np), write);
+  internal::propagate_and_cut<typename Call::Concurrency_tag, Call::parts>(call.data(), build, wanted, internal::offset_selection(np), write);
   internal::report(build.statistics, np);
   return out;
 }

@@ -37,7 +37,7 @@ void geodesic_voronoi_labels(const TriangleMesh& tm, const Sources& sources, Ver
 {
   namespace internal = Geodesic_offset::internal;
   internal::check_named_parameters<internal::Distance_call_parameters, NamedParameters>();
-  const internal::One_call<TriangleMesh, NamedParameters> call(tm, sources, np);
+  const internal::One_call<TriangleMesh, Sources, NamedParameters> call(tm, sources, np);
   const auto build = call.propagated(call.request());
   internal::write_source_labels(call.data(), *build, labels);
 }

@@ -53,7 +53,7 @@ OutputIterator shortest_path_to_sources(const TriangleMesh& tm, const From& from
                                         const NamedParameters& np = parameters::default_values())
 {
   namespace internal = Geodesic_offset::internal;
-  typedef internal::One_call<TriangleMesh, NamedParameters> Call;
+  typedef internal::One_call<TriangleMesh, Sources, NamedParameters> Call;
   typedef typename Call::Number Number;
   internal::check_named_parameters<internal::Path_call_parameters, NamedParameters>();
   const Call call(tm, sources, np);
@@ -61,7 +61,7 @@ OutputIterator shortest_path_to_sources(const TriangleMesh& tm, const From& from
   auto request = call.request();
   request.keeps_windows = start.kind != internal::Surface_point<Number>::VERTEX;
   request.targets.push_back(start);
-  const auto build = call.template propagated<internal::build_parts_of<NamedParameters> | internal::KEPT_WINDOWS>(request);
+  const auto build = call.template propagated<internal::KEPT_WINDOWS>(request);
   const auto& surface = call.data().surface();
   const auto write = [&](const auto& p) {
     if constexpr (std::is_assignable<decltype(*out++), typename Call::Mesh::Face_location>::value) *out++ = surface.location(p);

@@ -83,12 +83,12 @@ private:
 // The parts that a propagation with these parameters may need, see Build_part.
 template <class NamedParameters>
 constexpr unsigned build_parts_of =
-  instantiated_parts((has_parameter<internal_np::geodesic_compute_largest_distance_t, NamedParameters> ? SEARCH : NO_PARTS) |
-                     (has_parameter<internal_np::geodesic_relative_tolerance_t, NamedParameters> ||
-                          has_parameter<internal_np::geodesic_merging_tolerance_t, NamedParameters>
-                        ? MERGING
-                        : NO_PARTS) |
-                     (has_parameter<internal_np::geodesic_keep_windows_t, NamedParameters> ? KEPT_WINDOWS : NO_PARTS));
+  (has_parameter<internal_np::geodesic_compute_largest_distance_t, NamedParameters> ? SEARCH : NO_PARTS) |
+  (has_parameter<internal_np::geodesic_relative_tolerance_t, NamedParameters> ||
+       has_parameter<internal_np::geodesic_merging_tolerance_t, NamedParameters>
+     ? MERGING
+     : NO_PARTS) |
+  (has_parameter<internal_np::geodesic_keep_windows_t, NamedParameters> ? KEPT_WINDOWS : NO_PARTS);
 
 } // namespace internal
 } // namespace Geodesic_offset

@@ -48,12 +48,22 @@ public:
 
   ~Geodesic_build();
 
-  // Propagates without a consumer of finalized faces. `parts`: those that the request may need, see Build_part.
-  template <class Concurrency_tag = Sequential_tag, unsigned parts = ALL_PARTS>
+  // The parts to instantiate where these may be needed, see Build_part: all of them in the compiled library, which has one
+  // propagation; only what the number type can have elsewhere.
+  static constexpr unsigned parts_for(unsigned needed)
+  {
+#ifdef CGAL_GEODESIC_OFFSET_COMPILED
+    if (is_compiled<Traits>) return ALL_PARTS;
+#endif
+    return Number_policy<FT>::is_inexact ? needed : needed & ~unsigned(MERGING);
+  }
+
+  // Propagates without a consumer of finalized faces. `parts`: of parts_for().
+  template <class Concurrency_tag, unsigned parts>
   void propagate(const Traits& traits);
 
   // Propagates and hands faces to a consumer, see Wavefront::run().
-  template <class Concurrency_tag, unsigned parts = ALL_PARTS>
+  template <class Concurrency_tag, unsigned parts>
   void run(const Traits& traits, Consumer_of<Concurrency_tag>& consumer);
 
   const Build_request<FT>& request() const { return m_request; }

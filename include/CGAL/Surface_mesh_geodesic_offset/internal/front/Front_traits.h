@@ -15,16 +15,6 @@ namespace internal {
 // Parts of a propagation, as bits: the search for the farthest point, merging within a tolerance, and windows that are kept.
 enum Build_part : unsigned { NO_PARTS = 0, SEARCH = 1, MERGING = 2, KEPT_WINDOWS = 4, ALL_PARTS = 7 };
 
-// The parts that are instantiated where these are needed: all of them in the compiled library, which has one propagation.
-constexpr unsigned instantiated_parts(unsigned needed)
-{
-#ifdef CGAL_GEODESIC_OFFSET_COMPILED
-  return (void)needed, ALL_PARTS;
-#else
-  return needed;
-#endif
-}
-
 // Traits of a front with some parts.
 template <class Traits, unsigned parts>
 struct Front_traits : Traits

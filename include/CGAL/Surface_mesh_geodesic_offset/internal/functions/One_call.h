@@ -30,7 +30,7 @@ auto classified_start(const Mesh& mesh, const From& from)
   else return Mesh_access::data(mesh).classified(from);
 }
 
-template <class TriangleMesh, class NamedParameters>
+template <class TriangleMesh, class Sources, class NamedParameters>
 class One_call
 {
 public:
@@ -42,7 +42,10 @@ public:
   typedef Build_request<Number> Request;
   typedef Concurrency_tag_of<NamedParameters> Concurrency_tag;
 
-  template <class Sources>
+  // Points in space are joined by paths, which need kept windows; so there is one propagation for both.
+  static constexpr unsigned parts =
+    build_parts_of<NamedParameters> | (has_points_in_space<Sources> ? KEPT_WINDOWS : NO_PARTS);
+
   One_call(const TriangleMesh& tm, const Sources& sources, const NamedParameters& np)
     : m_mesh(Mesh_access::make<Mesh>(tm, np)), m_np(np)
   {
@@ -60,12 +63,13 @@ public:
   // The build before its propagation.
   Build build(const Request& request) const { return Build(data().unfolded(), classified_sources(data(), m_sources), request); }
 
-  // The build after its propagation, without offset curves. `parts`: those that the request may need.
-  template <unsigned parts = build_parts_of<NamedParameters>>
+  // The build after its propagation, without offset curves. `more_parts`: those that the request needs beyond its
+  // parameters, see Build_part.
+  template <unsigned more_parts = NO_PARTS>
   std::unique_ptr<const Build> propagated(const Request& request) const
   {
     std::unique_ptr<Build> result(new Build(build(request)));
-    result->template propagate<Concurrency_tag, parts>(data().traits);
+    result->template propagate<Concurrency_tag, Build::parts_for(parts | more_parts)>(data().traits);
     report(result->statistics, m_np);
     return result;
   }

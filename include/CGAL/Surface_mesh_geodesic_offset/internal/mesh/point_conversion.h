@@ -11,6 +11,7 @@
 #include <CGAL/NT_converter.h>
 
 #include <array>
+#include <iterator>
 #include <type_traits>
 #include <utility>
 
@@ -48,6 +49,15 @@ template <class T, class = void>
 constexpr bool is_point_in_space = false;
 template <class T>
 constexpr bool is_point_in_space<T, std::void_t<decltype(std::declval<const T&>().x(), std::declval<const T&>().z())>> = true;
+
+// True for a range of points in space, and for a range of such ranges.
+template <class T, class = void>
+constexpr bool has_points_in_space = false;
+template <class T>
+constexpr bool has_points_in_space<T, std::void_t<decltype(*std::begin(std::declval<const T&>()))>> =
+  is_point_in_space<std::decay_t<decltype(*std::begin(std::declval<const T&>()))>> ||
+  (!std::is_same<std::decay_t<decltype(*std::begin(std::declval<const T&>()))>, T>::value &&
+   has_points_in_space<std::decay_t<decltype(*std::begin(std::declval<const T&>()))>>);
 
 } // namespace internal
 } // namespace Geodesic_offset

@@ -95,6 +95,25 @@ struct Computation<Traits, Surface_mesh_geodesic_offset_traits<K, TriangleMesh>>
   }
 };
 
+template <class Traits>
+struct Core_definitions; // complete in core_definitions.h
+
+// True if the compiled library has the functions of the core for the traits of a computation.
+template <class Computing_traits>
+constexpr bool is_compiled =
+  std::is_same<Computing_traits, Surface_mesh_geodesic_offset_traits<Exact_predicates_inexact_constructions_kernel, void>>::value;
+
+// True if the functions of the core are in the compiled library, or their definitions are visible.
+template <class Computing_traits, class = void>
+constexpr bool has_core_functions =
+#ifdef CGAL_GEODESIC_OFFSET_COMPILED
+  is_compiled<Computing_traits>;
+#else
+  true;
+#endif
+template <class Computing_traits>
+constexpr bool has_core_functions<Computing_traits, std::void_t<decltype(sizeof(Core_definitions<Computing_traits>))>> = true;
+
 template <class To, class From>
 struct Number_conversion
 {

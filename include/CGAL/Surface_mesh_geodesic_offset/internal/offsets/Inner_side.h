@@ -32,7 +32,7 @@ public:
   Inner_side(const Unfolded_mesh<FT>& mesh, const Traits& traits, const Source_set<FT>& polyline)
     : m_mesh(mesh), m_build(mesh, polyline, {Number_policy<FT>::infinity(), true, {}, {}})
   {
-    m_build.template propagate<Sequential_tag, instantiated_parts(KEPT_WINDOWS)>(traits);
+    m_build.template propagate<Sequential_tag, Geodesic_build<Traits>::parts_for(KEPT_WINDOWS)>(traits);
     Face_field<FT> field(mesh, m_build.initial, m_build.field);
     for (Index f = 0; f < mesh.number_of_faces(); ++f)
       if (mesh.source(3 * f) != no_index && !add_whole(f))

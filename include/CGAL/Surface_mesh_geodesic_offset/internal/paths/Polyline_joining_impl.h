@@ -76,7 +76,7 @@ public:
     const Located_point start = here(from);
     request.targets.push_back(start);
     Geodesic_build<Traits> build(m_mesh, sources, request);
-    build.template propagate<Sequential_tag, instantiated_parts(KEPT_WINDOWS)>(m_whole.m_traits);
+    build.template propagate<Sequential_tag, Geodesic_build<Traits>::parts_for(KEPT_WINDOWS)>(m_whole.m_traits);
     const Path_start<Number> way = Path_start_query<Number>(m_mesh, build.initial, build.field)(start);
     std::vector<Path_element<Number>> elements;
     const Surface_point end = build.trace_path(start, way, elements).point;

@@ -115,12 +115,12 @@ private:
 };
 
 // Propagates, and calls f(distance, curves) for each level.
-template <class Concurrency_tag, unsigned parts = ALL_PARTS, class Surface, class Build, class Function>
+template <class Concurrency_tag, unsigned parts, class Surface, class Build, class Function>
 void propagate_and_cut(const Geodesic_mesh_data<Surface>& mesh, Build& build,
                        const Offset_levels<typename Surface::Number>& levels, const Offset_selection& selection, Function& f)
 {
   Curve_output<Surface, Function> output(mesh.shared_surface, build, levels, f);
-  cut_finalized_faces<Concurrency_tag, parts>(mesh.unfolded(), build, mesh.traits, {levels, selection},
+  cut_finalized_faces<Concurrency_tag, Build::parts_for(parts)>(mesh.unfolded(), build, mesh.traits, {levels, selection},
                                                    [&](std::size_t level, auto&& cut) { output.add(level, std::move(cut)); });
   output.finish();
 }
@@ -142,7 +142,7 @@ void cut_offset_curves(const Geodesic_mesh_data<Surface>& mesh, const Build& bui
   typename Surface::Number maximum = build.maximum;
   if (!levels.is_unlimited()) maximum = (std::min)(maximum, levels[levels.size() - 1]);
   Build second_build(mesh.unfolded(), build.sources, {maximum, false, {}, {}, build.request().tolerance});
-  propagate_and_cut<Concurrency_tag, instantiated_parts(MERGING)>(mesh, second_build, levels, selection, f);
+  propagate_and_cut<Concurrency_tag, MERGING>(mesh, second_build, levels, selection, f);
 }
 
 } // namespace internal
