@@ -13,6 +13,7 @@ function(add_geodesic_offset_library target)
       "CUTTING offsets/level_cutting"
       "FRONT Geodesic_build"
       "VORONOI voronoi/Bisector_diagram"
+      "CERTIFIED certified/Certified_build"
       "PATH Geodesic_build"
       "LOCATOR mesh/Surface_locator paths/Polyline_joining"
       "MESH mesh/Unfolded_mesh mesh/Index_renumbering"
@@ -34,6 +35,6 @@ function(add_geodesic_offset_library target)
   if(TARGET CGAL::TBB_support)
     target_link_libraries(${target} PUBLIC CGAL::TBB_support)
   endif()
-  target_compile_definitions(${target} PUBLIC CGAL_GEODESIC_OFFSET_COMPILED)
+  target_compile_definitions(${target} PUBLIC CGAL_GEODESIC_OFFSET_COMPILED PRIVATE CGAL_GEODESIC_OFFSET_BUILDS_LIBRARY)
   set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
 endfunction()

@@ -11,9 +11,7 @@
 
 #include <CGAL/Surface_mesh_geodesic_offset/Geodesic_mesh.h>
 #include <CGAL/Surface_mesh_geodesic_offset/Geodesic_offset_certificate.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_front.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_query.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Offset_certification.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_build.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/surface/source_classification.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/parameters/named_parameters.h>
 
@@ -81,9 +79,8 @@ public:
 private:
   typedef Geodesic_offset::internal::Geodesic_mesh_data<Geodesic_offset::internal::Surface_of<Mesh>> Data;
   typedef typename Data::Surface_point Surface_point;
-  typedef Geodesic_offset::internal::Offset_certification Certification;
-  typedef Geodesic_offset::internal::Given_curves Given_curves;
-  typedef Geodesic_offset::internal::Certified_mesh Certified_mesh;
+  typedef Geodesic_offset::internal::Certified_build Build;
+  typedef Geodesic_offset::internal::Curve_to_certify Curve_to_certify;
 
 public:
   /// \name Construction
@@ -237,16 +234,15 @@ public:
     const bool keeps = choose_parameter(get_parameter(np, internal_np::geodesic_keep_windows), false);
     data().surface_with_points();
     const auto sources = Geodesic_offset::internal::classified_sources(data(), m_sources);
-    if (!m_certified_mesh)
-      m_certified_mesh = std::make_shared<Certified_mesh>(data().unfolded(), [&](auto v) { return coordinates(v); });
-    m_built = std::make_shared<Build>(*m_certified_mesh, sources.initial_windows(data().unfolded()), keeps);
+    if (!m_certified_mesh) m_certified_mesh = Build::make_mesh(data().unfolded(), data().surface());
+    m_built = std::make_shared<Build>(m_certified_mesh, sources, keeps);
   }
 
   /// whether bounds have been computed.
   bool is_built() const { return m_built != nullptr; }
 
   /// the number of windows that were propagated.
-  std::size_t number_of_windows() const { return built()->field.windows_propagated; }
+  std::size_t number_of_windows() const { return built()->number_of_windows(); }
   /// @}
 
   /// \name Queries
@@ -264,10 +260,9 @@ public:
     Geodesic_offset::internal::check_rounding_mode();
     const Surface_point p = data().classified(location);
     const Build& b = *built();
-    if (p.kind != Surface_point::VERTEX && !b.field.has_windows())
+    if (p.kind != Surface_point::VERTEX && !b.has_windows())
       throw std::logic_error("Surface_mesh_geodesic_enclosure: this query needs build(parameters::keep_windows(true))");
-    const std::pair<double, double> d = Geodesic_offset::internal::Certified_query(*m_certified_mesh, b.sources, b.field)(p);
-    return {m_certified_mesh->from_unit(d.first), m_certified_mesh->from_unit(d.second)};
+    return b.distance_bounds(p);
   }
   /// @}
 
@@ -306,64 +301,48 @@ public:
     Geodesic_offset::internal::check_rounding_mode();
     const std::shared_ptr<const Build> build = built(); // a share: the range of curves may build anew
     const Build& b = *build;
-    if (!b.field.has_windows())
+    if (!b.has_windows())
       throw std::logic_error("Surface_mesh_geodesic_enclosure: certify_offset() needs build(parameters::keep_windows(true))");
     if (!(distance >= 0) || !Geodesic_offset::internal::Number_policy<double>::is_finite(distance))
       throw std::invalid_argument("Surface_mesh_geodesic_enclosure: the distance of an offset is negative or not finite");
-    Certification certification(*m_certified_mesh, b.sources, b.field, m_certified_mesh->to_unit(distance));
-    for (const auto& curve : curves)
-      if (!add_curve(certification.curves(), curve, 0)) break;
-    return exported(certification());
+    std::vector<Curve_to_certify> given;
+    for (const auto& curve : curves) given.push_back(to_certify(curve, 0));
+    return exported(b.certify_offset(distance, given));
   }
   /// @}
 
 private:
-  struct Build
-  {
-    Build(const Certified_mesh& mesh, const Geodesic_offset::internal::Initial_windows<double>& initial, bool keeps)
-      : sources(mesh, initial)
-    {
-      Geodesic_offset::internal::Certified_front(mesh, keeps, field).run(sources);
-    }
-
-    Geodesic_offset::internal::Certified_sources sources;
-    Geodesic_offset::internal::Certified_field field;
-  };
-
+  // Of an offset curve.
   template <class Offset_curve>
-  auto add_curve(Given_curves& curves, const Offset_curve& curve, int) const -> decltype(curve.pieces(), true)
+  auto to_certify(const Offset_curve& curve, int) const -> decltype(curve.pieces(), Curve_to_certify())
   {
-    const auto unit = [&](const auto& p) {
-      return Geodesic_offset::internal::Point_in_face<double>{m_certified_mesh->to_unit(p.x()),
-                                                              m_certified_mesh->to_unit(p.y())};
-    };
-    std::vector<Given_curves::Offset_piece> pieces;
+    const auto point = [](const auto& p) { return Geodesic_offset::internal::Point_in_face<double>{p.x(), p.y()}; };
+    Curve_to_certify result{curve.is_closed(), {}, {}};
     for (const auto& piece : curve.pieces())
-      pieces.push_back({data().surface().index_of(piece.face()), data().classified(piece.start()),
-                        data().classified(piece.end()), unit(piece.start_2()), unit(piece.end_2()),
-                        unit(piece.is_arc() ? piece.center() : piece.start_2()),
-                        piece.is_arc() ? m_certified_mesh->to_unit(piece.radius()) : 0.});
-    return curves.add_pieces(pieces, curve.is_closed());
+      result.pieces.push_back({data().surface().index_of(piece.face()), data().classified(piece.start()),
+                               data().classified(piece.end()), point(piece.start_2()), point(piece.end_2()),
+                               point(piece.is_arc() ? piece.center() : piece.start_2()), piece.is_arc() ? piece.radius() : 0.});
+    return result;
   }
 
+  // Of a polyline.
   template <class Curve>
-  bool add_curve(Given_curves& curves, const Curve& polyline, long) const
+  Curve_to_certify to_certify(const Curve& polyline, long) const
   {
-    std::vector<Surface_point> points;
-    for (const auto& l : polyline.locations) points.push_back(data().classified(l));
-    return curves.add_polyline(points, polyline.is_closed);
+    Curve_to_certify result{polyline.is_closed, {}, {}};
+    for (const auto& l : polyline.locations) result.points.push_back(data().classified(l));
+    return result;
   }
 
-  Geodesic_offset_certificate<Face_location> exported(const Certification::Result& r) const
+  Geodesic_offset_certificate<Face_location> exported(const Geodesic_offset::internal::Offset_certification_result& r) const
   {
     Geodesic_offset_certificate<Face_location> c;
     c.bounds_region = r.bounds_region;
-    c.tolerance = m_certified_mesh->from_unit(r.tolerance);
+    c.tolerance = r.tolerance;
     c.limit = r.limit;
     if (r.face != Geodesic_offset::internal::no_index)
-      c.location =
-        data().surface().location(r.face, {m_certified_mesh->from_unit(r.place.x), m_certified_mesh->from_unit(r.place.y)});
-    c.distance_bounds = {m_certified_mesh->from_unit(r.bounds.first), m_certified_mesh->from_unit(r.bounds.second)};
+      c.location = data().surface().location(r.face, r.place);
+    c.distance_bounds = r.bounds;
     if (r.curve != Geodesic_offset::internal::no_curve) c.curve = r.curve;
     c.number_of_reversed_curves = r.reversed.size();
     if (!r.reversed.empty()) c.first_reversed_curve = r.reversed.front();
@@ -376,17 +355,11 @@ private:
     return m_built;
   }
 
-  Certified_mesh::Coordinates coordinates(Geodesic_offset::internal::Index v) const
-  {
-    const auto p = data().surface().position(data().surface().vertex_of[v]);
-    return {p.x(), p.y(), p.z()};
-  }
-
   const Data& data() const { return Geodesic_offset::internal::Mesh_access::data(m_mesh); }
 
   Mesh m_mesh;
   Source_set m_sources;
-  std::shared_ptr<const Certified_mesh> m_certified_mesh;
+  std::shared_ptr<const Geodesic_offset::internal::Certified_mesh> m_certified_mesh;
   std::shared_ptr<const Build> m_built;
 };
 

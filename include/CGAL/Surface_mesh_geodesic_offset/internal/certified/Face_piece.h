@@ -21,7 +21,6 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-typedef std::pair<double, double> Bounds; // lower, upper
 
 inline Double_double_2 middle_of(const Double_double_2& p, const Double_double_2& q)
 {

@@ -63,18 +63,8 @@ public:
     return true;
   }
 
-  // A piece of an offset curve. `from`, `to`: its ends on the surface. The end of the piece before becomes the joint, and the
-  // gap between both counts as uncertainty of the points of this piece. Gaps are at most `joint_tolerance`.
-  struct Offset_piece
-  {
-    Index face;
-    Surface_point_ from, to;
-    Point_in_face<double> start, end, center; // in the frame of the face
-    double radius;                            // 0 for a segment. An arc runs counterclockwise, by less than a half turn
-  };
-
-  // Adds an offset curve. Returns false, with a refusal, if consecutive pieces do not meet or a piece is not in its face.
-  bool add_pieces(const std::vector<Offset_piece>& given, bool is_closed)
+  // Adds an offset curve. Gaps between pieces are at most `joint_tolerance`. Returns false, with a refusal, if consecutive pieces do not meet or a piece is not in its face.
+  bool add_pieces(const std::vector<Offset_curve_piece>& given, bool is_closed)
   {
     const std::size_t curve = size++, n = given.size();
     for (std::size_t i = 0; i < n; ++i)
@@ -131,7 +121,7 @@ private:
     return false;
   }
 
-  bool add_piece(const Offset_piece& given, const Surface_point_& from, std::size_t curve)
+  bool add_piece(const Offset_curve_piece& given, const Surface_point_& from, std::size_t curve)
   {
     Double_double_2 p, q;
     unsigned p_edges, q_edges;

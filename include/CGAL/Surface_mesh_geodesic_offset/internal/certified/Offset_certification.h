@@ -23,6 +23,7 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/Geodesic_offset_certificate.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_build.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Curve_region.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Face_side.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Given_curves.h>
@@ -35,19 +36,6 @@
 namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
-
-// Lengths are in units of the certified mesh.
-struct Offset_certification_result
-{
-  bool bounds_region = false;
-  double tolerance = 0;
-  Offset_certificate_limit limit = Offset_certificate_limit::NONE;
-  Index face = no_index;
-  Point_in_face<double> place{0, 0};
-  Bounds bounds{0, 0};
-  std::size_t curve = no_curve;
-  std::vector<std::size_t> reversed; // curves, increasing
-};
 
 // Precondition: the field has its windows, and the rounding mode is to nearest. The arguments of the constructor must outlive
 // the object. `distance`: d, not negative, in units of the certified mesh, as are all lengths here.

@@ -65,6 +65,8 @@
   CGAL_GEODESIC_OFFSET_CUTTING_FUNCTIONS_OF(instantiation, Sequential_tag)                                                     \
   CGAL_GEODESIC_OFFSET_PARALLEL(CGAL_GEODESIC_OFFSET_CUTTING_FUNCTIONS_OF(instantiation, Parallel_tag))
 
+#define CGAL_GEODESIC_OFFSET_CERTIFIED_FUNCTIONS(instantiation) // no templates
+
 #define CGAL_GEODESIC_OFFSET_VORONOI_FUNCTIONS(instantiation)                                                                  \
   instantiation Bisector_diagram<double> find_bisectors<double>(const Unfolded_mesh<double>&, const Initial_windows<double>&,  \
                                                                 const Geodesic_field<double>&);
