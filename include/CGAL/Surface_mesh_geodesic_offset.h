@@ -13,6 +13,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/Offset_levels.h>
 #include <CGAL/Surface_mesh_geodesic_offset/Offset_side.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/statistics_report.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/surface/build_parameters.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/surface/cut_offset_curves.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/surface/source_classification.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/parameters/named_parameters.h>
@@ -820,7 +821,7 @@ private:
   template <class NamedParameters>
   Request request(const NamedParameters& np) const
   {
-    return Request::read(np, [this](const auto& t) { return data().classified(t); });
+    return Geodesic_offset::internal::read_build_request<Number>(np, [this](const auto& t) { return data().classified(t); });
   }
 
   Field field_of(const std::shared_ptr<const Build>& build) const

@@ -14,6 +14,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/front/Face_consumer.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/front/Front_traits.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Surface_points.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Computation_number.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_start.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_suffix_cache.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Source_set.h>

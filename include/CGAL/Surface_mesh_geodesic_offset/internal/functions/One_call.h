@@ -11,6 +11,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/Geodesic_mesh_type.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Geodesic_build.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/statistics_report.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/surface/build_parameters.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/surface/Source_argument.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/surface/source_classification.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/parameters/named_parameters.h>
@@ -57,7 +58,7 @@ public:
 
   Request request() const
   {
-    return Request::read(m_np, [this](const auto& t) { return data().classified(t); });
+    return read_build_request<Number>(m_np, [this](const auto& t) { return data().classified(t); });
   }
 
   // The build before its propagation.
