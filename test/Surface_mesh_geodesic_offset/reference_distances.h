@@ -55,6 +55,22 @@ public:
     std::array<double, 3> first, second;
   };
 
+  struct Planar
+  {
+    Number x, y;
+  };
+
+  static constexpr std::size_t no_triangle = std::size_t(-1);
+
+  /// Side from corner k to the next one: the third corner in the plane with the side as x axis, and the adjacent triangle
+  /// with the number of its side.
+  struct Side
+  {
+    Number length;
+    Planar apex;
+    std::pair<std::size_t, int> beyond{no_triangle, 0};
+  };
+
   /// Distance of unreachable vertices.
   static Number infinity() { return Number(std::numeric_limits<double>::max()); }
 
@@ -66,6 +82,10 @@ public:
     for (int i = 0; i < 3; ++i) r = (r + square / r) / Number(2);
     return r;
   }
+
+  static Number absolute(const Number& x) { return x < Number(0) ? -x : x; }
+  static Number cross(const Planar& a, const Planar& b) { return a.x * b.y - a.y * b.x; }
+  static Number length(const Planar& p) { return root(p.x * p.x + p.y * p.y); }
 
   /// The triangles form a manifold with border and consistent orientation.
   Reference_distances(const std::vector<Point>& points, const std::vector<Triangle>& triangles)
@@ -113,24 +133,11 @@ public:
 
   const Number& of_vertex(std::size_t v) const { return distances_[v]; }
   const Number& of_query(std::size_t q) const { return distances_[number_of_vertices_ + q]; }
+  const Side& side(std::size_t triangle, int k) const { return sides_[triangle][k]; }
   std::size_t number_of_vertices() const { return number_of_vertices_; }
 
 private:
   typedef std::array<Number, 3> Vector;
-  struct Planar
-  {
-    Number x, y;
-  };
-
-  // Side from corner k to the next one: the third corner in the plane with the side as x axis, and the adjacent triangle
-  // with the number of its side.
-  struct Side
-  {
-    Number length;
-    Planar apex;
-    std::pair<std::size_t, int> beyond{no_triangle, 0};
-  };
-  static constexpr std::size_t no_triangle = std::size_t(-1);
 
   struct Query
   {
@@ -143,10 +150,6 @@ private:
     return {Number(p[0]) - Number(q[0]), Number(p[1]) - Number(q[1]), Number(p[2]) - Number(q[2])};
   }
   static Number dot(const Vector& u, const Vector& v) { return u[0] * v[0] + u[1] * v[1] + u[2] * v[2]; }
-  static Number cross(const Planar& a, const Planar& b) { return a.x * b.y - a.y * b.x; }
-  static Number absolute(const Number& x) { return x < Number(0) ? -x : x; }
-
-  static Number length(const Planar& p) { return root(p.x * p.x + p.y * p.y); }
 
   // Square of twice the area, from the two shortest sides, which lose the fewest digits.
   static Number square_of_area(const Point& p, const Point& q, const Point& r)

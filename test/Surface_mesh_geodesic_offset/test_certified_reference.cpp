@@ -3,12 +3,13 @@
 
 // Certified bounds contain the distances of an independent reference with 113 bits, which unfolds all sequences of faces:
 // on meshes that formerly violated them, on adversarial meshes of 5 to 20 faces, from points, vertices and segments with start
-// values, and on general ones. The reference itself is tested with distances in the plane and closed forms. Input beyond the
-// proof is rejected.
+// values, and on general ones. The reference itself is tested with distances in the plane and closed forms. Single steps,
+// in the faces of such meshes and on halfedges, keep the statements of the error analysis. Input beyond the proof is rejected.
 //
 //   test_certified_reference [--meshes N]
 
 #include "certified_search.h"
+#include "certified_steps.h"
 #include "test_check.h"
 
 #include <algorithm>
@@ -17,6 +18,7 @@
 #include <cstdlib>
 #include <iostream>
 #include <limits>
+#include <map>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -214,6 +216,47 @@ void segments()
 }
 void general_meshes() { run(Certified_cases::general, number_of_meshes / 10, 3e-14); }
 
+// Frames of faces, and children of windows in them.
+void steps_in_faces()
+{
+  std::size_t faces = 0;
+  for (unsigned seed = 1; seed <= 400; ++seed)
+  {
+    const Certified_case c = Certified_cases::adversarial(seed);
+    const Reference_distances reference(c.points, c.triangles);
+    std::map<std::pair<std::size_t, std::size_t>, std::pair<std::size_t, int>> side_of;
+    for (std::size_t f = 0; f < c.triangles.size(); ++f)
+      for (int k = 0; k < 3; ++k) side_of[{c.triangles[f][k], c.triangles[f][(k + 1) % 3]}] = {f, k};
+    const Generated_mesh<test::Surface_mesh> data(soup_of(c));
+    const Geodesic geodesic(data.mesh);
+    const auto& mesh = CGAL::Geodesic_offset::internal::Mesh_access::data(geodesic.mesh());
+    const auto point_of = [&](auto v) { return std::size_t(mesh.surface().vertex_of[v]); };
+    const CGAL::Geodesic_offset::internal::Certified_mesh certified(mesh.unfolded(), [&](auto v) {
+      return c.points[point_of(v)];
+    });
+    Random_certified_windows random(seed);
+    for (CGAL::Geodesic_offset::internal::Index h = 0; h < 3 * c.triangles.size(); ++h)
+    {
+      const auto [f, k] = side_of.at({point_of(mesh.unfolded().source(h)), point_of(mesh.unfolded().target(h))});
+      Certified_face_check face(certified, h, reference, f, k);
+      face.check_frame();
+      for (int i = 0; i < 20; ++i) face.check_step(random);
+      ++faces;
+    }
+  }
+  CHECK(faces > 5000);
+}
+
+void steps_on_halfedges()
+{
+  for (unsigned seed = 1; seed <= 20000; ++seed)
+  {
+    Random_certified_windows random(seed);
+    const double length = random.one_of(2) ? 1. : random.power(-8, 0);
+    check_certified_envelope(random.list(length), length);
+  }
+}
+
 // Flat strip of n faces, straight and nearly unidirectional; its first vertex is the source.
 Soup strip(std::size_t n)
 {
@@ -302,6 +345,8 @@ GEODESIC_OFFSET_TEST(test_certified_reference)
   const std::pair<const char*, void (*)()> tests[] = {
     {"reference in the plane", reference_in_the_plane},
     {"reference with bends", reference_with_bends},
+    {"steps in faces", steps_in_faces},
+    {"steps on halfedges", steps_on_halfedges},
     {"known cases", known_cases},
     {"rounding mode", rounding_mode},
     {"tiny edges", tiny_edges},
