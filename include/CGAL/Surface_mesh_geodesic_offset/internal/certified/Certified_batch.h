@@ -53,7 +53,6 @@ public:
     // the far vertices in the frames of the exits: q seen from p -> r, p seen from r -> q
     by_left.set_far_vertex(face.cl * face.length, -face.sl * face.length, dq);
     by_right.set_far_vertex(face.right_length - face.cr * face.length, -face.sr * face.length, dp);
-    CGAL_GEODESIC_OFFSET_CERTIFICATE(by_left.set_radius(m_largest_radius); by_right.set_radius(m_largest_radius);)
     auto to_left = m_left.start(left, m_state.accepts_windows(left), n);
     auto to_right = m_right.start(right, m_state.accepts_windows(right), n);
     for (std::size_t i = 0; i < n; ++i)
@@ -79,15 +78,15 @@ public:
       if (goes_left && to_left.is_open())
       {
         Window& child = to_left.next();
-        if (face.left_child(w, left_end, left_to_apex, m_exit[i].lateral, child) &&
-            !by_left.is_filtered(child, child.b0, child.d0) && by_left.trim(child))
+        if (face.left_child(w, left_end, left_to_apex, m_exit[i].lateral, child) && !by_left.is_filtered(child.b0, child.d0) &&
+            by_left.trim(child))
           to_left.keep(child.minimum());
       }
       if (goes_right && to_right.is_open())
       {
         Window& child = to_right.next();
         if (face.right_child(w, right_begin, right_from_apex, m_exit[i].lateral, child) &&
-            !by_right.is_filtered(child, child.b1, child.d1) && by_right.trim(child))
+            !by_right.is_filtered(child.b1, child.d1) && by_right.trim(child))
           to_right.keep(child.minimum());
       }
     }
@@ -132,13 +131,10 @@ private:
       if (!is_certain) m_exit[i].lateral = face.lateral_error(w);
       const double d = face.distance_at_apex(w), error = face.error_at_apex(w, d, m_exit[i].lateral);
       m_exit[i].lowest = d - error;
-      CGAL_GEODESIC_OFFSET_CERTIFICATE(face.certificate().check_apex(w, d, error);)
       if (d + error < list.split_distance)
       {
         list.split_distance = d + error;
         list.split_entry = face.entry_of_apex(w);
-        CGAL_GEODESIC_OFFSET_CERTIFICATE(
-          face.certificate().check_entry(w, list.split_entry, face.error_of_entry(list.split_distance, list.split_entry));)
       }
       // direction back to the image, in the frame of the corner at the apex
       const Point_in_face<double> v = face.from_apex(w);
@@ -146,7 +142,7 @@ private:
                                        face.sl * v.x - face.cl * v.y};
       const double away = std::abs(v.x) + std::abs(v.y);
       const double angle = length_error * (1 + (face.length + face.left_length) / away) + 4 * w.error_of_image() / away;
-      m_state.arrive(apex, d, error, back, angle CGAL_GEODESIC_OFFSET_CERTIFICATE(, {face.certificate().direction_at_apex(w)}));
+      m_state.arrive(apex, d, error, back, angle);
     }
     best = list.split_distance;
     entry = list.split_entry;
@@ -156,24 +152,10 @@ private:
   static Exit exit_of(const Certified_propagation& face, const Window& w, bool& is_certain)
   {
     const int side = face.clear_side(w, is_certain);
-    if (is_certain)
-    {
-      CGAL_GEODESIC_OFFSET_CERTIFICATE(
-        face.certificate().check_side(w, w.b0,
-                                      side > 0   ? POSITIVE
-                                      : side < 0 ? ZERO
-                                                 : NEGATIVE);
-        face.certificate().check_side(w, w.b1,
-                                      side < 0   ? NEGATIVE
-                                      : side > 0 ? ZERO
-                                                 : POSITIVE);)
-      return side < 0 ? LEFT : side > 0 ? RIGHT : BOTH;
-    }
+    if (is_certain) return side < 0 ? LEFT : side > 0 ? RIGHT : BOTH;
     const Sign from = face.side_of_apex(w, w.b0);
-    CGAL_GEODESIC_OFFSET_CERTIFICATE(face.certificate().check_side(w, w.b0, from);)
     if (from == POSITIVE) return RIGHT;
     const Sign to = face.side_of_apex(w, w.b1);
-    CGAL_GEODESIC_OFFSET_CERTIFICATE(face.certificate().check_side(w, w.b1, to);)
     if (to == NEGATIVE) return LEFT;
     is_certain = from == NEGATIVE && to == POSITIVE;
     return BOTH;

@@ -9,7 +9,6 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/Geodesic_number_pair.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/certified/certificate_checks.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_bisector.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_overlap_split.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window_order.h>
@@ -45,7 +44,6 @@ public:
       insert(w, i + 1 != m_order.end() ? i[1]->b0 : length);
     }
     while (m_order.has_later()) insert(m_order.pop_later(), length);
-    CGAL_GEODESIC_OFFSET_CERTIFICATE(check_envelope(first, last, m_envelope);)
     CGAL_postcondition(std::is_sorted(m_envelope.begin(), m_envelope.end(), [](const Window& a, const Window& b) {
       return a.b0 < b.b0;
     }));

@@ -113,8 +113,7 @@ private:
     const Double_double_2 back = in_frame(sources.direction(s.face, k), {way.x, way.y});
     m_state.arrive(m_unfolded.source(h), s.start_value + distance, 4 * s.moved + length_error * s.start_value,
                    Ray{h, back.x.high, back.y.high},
-                   distance > 0 ? length_error * (1 + reach / distance)
-                                : Number_policy<double>::infinity() CGAL_GEODESIC_OFFSET_CERTIFICATE(, {}));
+                   distance > 0 ? length_error * (1 + reach / distance) : Number_policy<double>::infinity());
   }
 
   void process_halfedge(Index h)
@@ -142,15 +141,6 @@ private:
   // Emits rays behind a vertex, at angles of at least pi to the arriving path, within the error of its direction.
   void spread_behind(Index v, const Arrival& a)
   {
-#ifdef CGAL_GEODESIC_OFFSET_CHECK_CERTIFICATES
-    m_certificate.clear();
-    spread_sectors_behind(v, a);
-    for (const Precise& direction : a.directions) m_certificate.check(a.back.corner, direction);
-  }
-
-  void spread_sectors_behind(Index v, const Arrival& a)
-  {
-#endif
     const auto spread_sector = [&](const Ray& from, const Ray& to, Index first) {
       spread(from, to, first, a.distance, a.radius);
     };
@@ -212,10 +202,8 @@ private:
       m_state.schedule(m_unfolded.face(h));
       const double along_e = sigma + m_mesh.length(h), along_p = sigma + m_mesh.length(p);
       const auto error = [&](double d) { return radius + length_error * d; };
-      m_state.arrive(m_unfolded.source(e), along_e, error(along_e), Ray{e, m_unfolded[e].apex_x, m_unfolded[e].apex_y},
-                     0. CGAL_GEODESIC_OFFSET_CERTIFICATE(, {m_mesh.precise()[e].angle}));
-      m_state.arrive(m_unfolded.source(p), along_p, error(along_p), Ray{p, 1., 0.},
-                     0. CGAL_GEODESIC_OFFSET_CERTIFICATE(, {Precise(0)}));
+      m_state.arrive(m_unfolded.source(e), along_e, error(along_e), Ray{e, m_unfolded[e].apex_x, m_unfolded[e].apex_y}, 0.);
+      m_state.arrive(m_unfolded.source(p), along_p, error(along_p), Ray{p, 1., 0.}, 0.);
       if (g == no_index) return;
       const Double_double_2 apex = m_mesh.apex(e);
       Window w{};
@@ -228,12 +216,6 @@ private:
       const auto exit = [&](const Ray& r) { return exit_of_ray(h, r); };
       w.set_interval(upper ? (std::max)(exit(*upper) - rounding, 0.) : 0.,
                      lower ? (std::min)(exit(*lower) + rounding, size) : size);
-#ifdef CGAL_GEODESIC_OFFSET_CHECK_CERTIFICATES
-      const Precise_2 p_apex = m_mesh.precise().apex(e);
-      w.precise = m_mesh.precise().add({m_mesh.precise()[e].length - p_apex.x, -p_apex.y, Precise(sigma), false});
-      check_window(w, size);
-      m_certificate.add(h, w.b0, w.b1);
-#endif
       m_state.add(g, w);
     });
   }
@@ -245,7 +227,6 @@ private:
   Certified_envelope m_envelope;
   Certified_batch m_propagate;
   Source_pacing<double> m_pacing;
-  CGAL_GEODESIC_OFFSET_CERTIFICATE(Certificate_of_sector m_certificate{m_mesh};)
 };
 
 } // namespace internal

@@ -11,13 +11,11 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/memory/prefetch.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Double_double.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_window.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Precise_mesh.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Unfolded_mesh.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <memory>
 #include <stdexcept>
 #include <type_traits>
 #include <vector>
@@ -74,7 +72,6 @@ public:
       if (unfolded.source(h) != no_index)
         m_loss = (std::max)({m_loss, loss_beside_vertex(length(h)), loss_beside_vertex(apex(h).y.high)});
     for (Index v = 0; v < unfolded.number_of_vertices(); ++v) m_can_bend[v] = bends(v);
-    CGAL_GEODESIC_OFFSET_CERTIFICATE(m_precise = std::make_shared<Precise_mesh>(unfolded, points); check_frames();)
   }
 
   const Unfolded_mesh<double>& unfolded() const { return m_unfolded; }
@@ -98,8 +95,6 @@ public:
   // True if shortest paths bend at a vertex. False if the excess of its angle is below `flat`, see the error analysis.
   bool can_be_pseudo_source(Index v) const { return m_can_bend[v] != 0; }
   static constexpr double flat = 0x1p-80;
-
-  CGAL_GEODESIC_OFFSET_CERTIFICATE(const Precise_mesh& precise() const { return *m_precise; })
 
   double to_unit(double x) const { return x / m_unit; }
   double from_unit(double x) const { return x * m_unit; }
@@ -190,23 +185,6 @@ private:
     return is_certain && (!is_near || half_turns != limit);
   }
 
-#ifdef CGAL_GEODESIC_OFFSET_CHECK_CERTIFICATES
-  void check_frames() const
-  {
-    for (Index h = 0; h < m_halfedges.size(); ++h)
-    {
-      if (m_unfolded.source(h) == no_index) continue;
-      const Halfedge& e = m_halfedges[h];
-      const Precise_halfedge& p = (*m_precise)[h];
-      const Precise off = boost::multiprecision::abs(internal::precise(e.length) - p.length);
-      check_certificate(off <= Precise(0x1p-98) * p.length, "length of an edge");
-      const Precise x = internal::precise(e.corner.x) - p.corner.x, y = internal::precise(e.corner.y) - p.corner.y;
-      check_certificate(precise_length(x, y) <= Precise(0x1p-98), "corner of a face");
-    }
-  }
-
-  std::shared_ptr<const Precise_mesh> m_precise;
-#endif
   const Unfolded_mesh<double>& m_unfolded;
   double m_unit = 1;
   std::vector<Halfedge> m_halfedges;

@@ -8,7 +8,6 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/certified/certificate_checks.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_mesh.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_window.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Rotation.h>
@@ -18,7 +17,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 
 namespace CGAL {
 namespace Geodesic_offset {
@@ -31,9 +29,7 @@ public:
   Certified_propagation(const Certified_mesh& mesh, Index h)
     : Certified_propagation(mesh[h], mesh[mesh.unfolded().next(h)], mesh[mesh.unfolded().previous(h)], mesh.apex(h))
   {
-    CGAL_GEODESIC_OFFSET_CERTIFICATE(m_certificate = std::make_shared<Certificate_of_face>(mesh, h);)
   }
-  CGAL_GEODESIC_OFFSET_CERTIFICATE(const Certificate_of_face& certificate() const { return *m_certificate; })
 
   // Side of the apex on which the rays of a window pass: -1 if all are to the left, 1 if all are to the right, 0 if the
   // window covers the apex. The test ignores the low digits and uses a large margin; `is_clear` is false if it does not
@@ -105,24 +101,15 @@ public:
                                     Certified_window& child) const
   {
     const double off = w.error_of_image();
-    if (!turn(w, m_to_left, w.image(), child))
-    {
-      CGAL_GEODESIC_OFFSET_CERTIFICATE(m_certificate->check_no_child(w, true, false);)
-      return false;
-    }
+    if (!turn(w, m_to_left, w.image(), child)) return false;
     double from, to = left_length, grazing = to_apex ? lateral : 0.;
-    if (!near_exit(w, w.to_image(place(w.b0)), w.b0, cl, sl, off, from, grazing))
-    {
-      CGAL_GEODESIC_OFFSET_CERTIFICATE(m_certificate->check_no_child(w, true, true);)
-      return false;
-    }
+    if (!near_exit(w, w.to_image(place(w.b0)), w.b0, cl, sl, off, from, grazing)) return false;
     if (!to_apex) far_exit(w, w.to_image(place(end)), end, cl, sl, off, to, grazing);
     if (!(from < to)) return false;
     child.sigma = w.sigma;
     child.sigma_low = w.sigma_low;
     child.set_interval(from, to);
     child.radius = w.b0 > 0 || !to_apex || grazing > 0 ? sum_of_radii(w.radius, detour(to, off) + grazing) : w.radius;
-    CGAL_GEODESIC_OFFSET_CERTIFICATE(m_certificate->check_child(w, end, to_apex, true, child);)
     return true;
   }
 
@@ -132,17 +119,9 @@ public:
   {
     const double off = w.error_of_image();
     const Double_double_2 image = w.image();
-    if (!turn(w, m_to_right, w.is_parallel() ? image : Double_double_2{image.x - m_length, image.y}, child))
-    {
-      CGAL_GEODESIC_OFFSET_CERTIFICATE(m_certificate->check_no_child(w, false, false);)
-      return false;
-    }
+    if (!turn(w, m_to_right, w.is_parallel() ? image : Double_double_2{image.x - m_length, image.y}, child)) return false;
     double from, to = right_length, grazing = from_apex ? lateral : 0.; // from q
-    if (!near_exit(w, -w.to_image(place(w.b1)), from_target(w.b1, -corner_error), cr, sr, off, from, grazing))
-    {
-      CGAL_GEODESIC_OFFSET_CERTIFICATE(m_certificate->check_no_child(w, false, true);)
-      return false;
-    }
+    if (!near_exit(w, -w.to_image(place(w.b1)), from_target(w.b1, -corner_error), cr, sr, off, from, grazing)) return false;
     if (!from_apex) far_exit(w, -w.to_image(place(begin)), from_target(begin, corner_error), cr, sr, off, to, grazing);
     if (!(from < to)) return false;
     child.sigma = w.sigma;
@@ -165,7 +144,6 @@ public:
     child.radius =
       w.b1 < length || !from_apex || grazing > 0 ? sum_of_radii(w.radius, detour(to, off) + grazing + 4 * rounding) : w.radius;
     if (!(child.b0 < child.b1)) return false;
-    CGAL_GEODESIC_OFFSET_CERTIFICATE(m_certificate->check_child(w, begin, from_apex, false, child);)
     return true;
   }
 
@@ -268,7 +246,6 @@ private:
     return 6 * exit_error * size + (w.is_parallel() || 9 * off * size < 2 * r * r ? 9 * off * size / r : 2 * r);
   }
 
-  CGAL_GEODESIC_OFFSET_CERTIFICATE(std::shared_ptr<const Certificate_of_face> m_certificate;)
   const Rotation m_to_left, m_to_right; // into the frames of p -> r and r -> q
   const Double_double m_length, m_right_length;
   const Double_double_2 m_apex;

@@ -8,7 +8,6 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/certified/certificate_checks.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_window.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window_pruning.h>
 
@@ -46,15 +45,7 @@ public:
   BOOST_FORCEINLINE bool trim(Certified_window& w) const
   {
     const bool at_source = m_by_source + w.b0 < w.d0, at_target = m_by_target + (m_length - w.b1) < w.d1;
-    if (!at_source && !at_target) return true;
-#ifdef CGAL_GEODESIC_OFFSET_CHECK_CERTIFICATES
-    const Certified_window before = w;
-    const bool is_left = cut(w, at_source, at_target);
-    check_pruning(before, is_left ? &w : nullptr, m_by_source - m_margin, m_by_target - m_margin, m_length, m_radius);
-    return is_left;
-#else
-    return cut(w, at_source, at_target);
-#endif
+    return (!at_source && !at_target) || cut(w, at_source, at_target);
   }
 
   BOOST_FORCEINLINE bool is_filtered(double t, double d) const
@@ -63,22 +54,7 @@ public:
     return r > 0 && u * u + m_far_yy <= r * r;
   }
 
-#ifdef CGAL_GEODESIC_OFFSET_CHECK_CERTIFICATES
-  // Largest radius of the windows before unfolding, which `margin` includes.
-  void set_radius(double radius) { m_radius = radius; }
-  bool is_filtered(const Certified_window& w, double t, double d) const
-  {
-    const bool result = is_filtered(t, d);
-    if (result) check_filter(w, t, m_far_x, m_far_yy, m_by_far - 2 * m_margin, m_radius);
-    return result;
-  }
-#else
-  BOOST_FORCEINLINE bool is_filtered(const Certified_window&, double t, double d) const { return is_filtered(t, d); }
-#endif
-
 private:
-  CGAL_GEODESIC_OFFSET_CERTIFICATE(double m_radius = 0;)
-
   bool cut(Certified_window& w, bool at_source, bool at_target) const
   {
     if (m_by_source + w.b1 < w.d1 || m_by_target + (m_length - w.b0) < w.d0) return false;

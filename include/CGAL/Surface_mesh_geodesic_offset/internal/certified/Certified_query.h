@@ -8,7 +8,6 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/certified/certificate_checks.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_sources.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_state.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Rotation.h>
@@ -81,7 +80,6 @@ private:
                                        end = w.excess_at(p.x, height, b1, false, to);
         const double error = w.radius + length_error * d + moved + 4 * w.error_of_image() + begin.around + end.around;
         if (d + error < m_sources.least_start_value) return; // p is behind the segment that the rays start from
-        CGAL_GEODESIC_OFFSET_CERTIFICATE(check_query(w, precise(p.x), Precise(height), precise(b0), precise(b1), d, error);)
         add_bounds(d - error, d + error + begin.behind + end.behind);
       });
       // transformation to the frame of the next halfedge

@@ -8,7 +8,6 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/certified/certificate_checks.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_mesh.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_window.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Rotation.h>
@@ -188,8 +187,6 @@ public:
         const double inward = -4 * along_edge * (std::abs(w.x) + m_mesh.length(g));
         if (w.y > inward) w.set_image({w.image().x, inward});
         w.set_interval(0., m_mesh.length(g));
-        CGAL_GEODESIC_OFFSET_CERTIFICATE(set_precise(s.face, k, s.first, false, w, s.start_value);
-                                         check_window(w, m_mesh.length(g));)
         f(g, w);
         continue;
       }
@@ -287,7 +284,6 @@ private:
     w.set_image(beyond_edge(s.face, k, {-n.x, -n.y}, true));
     if (w.y >= -along_edge) return false;
     const Double_double_2 a = beyond_edge(s.face, k, s.first, false);
-    CGAL_GEODESIC_OFFSET_CERTIFICATE(set_precise(s.face, k, {-n.x, -n.y}, true, w, s.start_value, &s.first);)
     const Double_double_2 axis = beyond_edge(s.face, k, along, true);
     const Double_double to_origin = w.image().x * a.x + w.image().y * a.y; // length of the ray to the origin
     const Double_double sigma = to_origin + s.start_value;
@@ -318,27 +314,6 @@ private:
     return true;
   }
 
-#ifdef CGAL_GEODESIC_OFFSET_CHECK_CERTIFICATES
-  // Sets the exact image beyond halfedge k of the face: the position of a point source, or the direction of a segment's
-  // rays, with `first` on the segment.
-  void set_precise(Index face, int k, const Double_double_2& p, bool is_direction, Certified_window& w, double start_value,
-                   const Double_double_2* first = nullptr) const
-  {
-    const Precise_mesh& mesh = m_mesh.precise();
-    Precise_2 image = mesh.beyond_edge(face, k, {precise(p.x), precise(p.y)}, is_direction);
-    if (!is_direction)
-    { // a source on the edge counts as inside, too, by an amount visible in 200 bits
-      image.y = (std::min)(image.y, Precise(-0x1p-150));
-      w.precise = mesh.add({image.x, image.y, Precise(start_value), false});
-      return;
-    }
-    const Precise size = precise_length(image.x, image.y); // 1 up to rounding
-    image = {image.x / size, image.y / size};
-    const Precise_2 a = mesh.beyond_edge(face, k, {precise(first->x), precise(first->y)}, false);
-    w.precise = mesh.add({image.x, image.y, image.x * a.x + image.y * a.y + Precise(start_value), true});
-  }
-#endif
-
   Certified_window edge_window(const Certified_source& s) const
   {
     const double length = m_mesh.length(3 * s.face + Index(s.on_edge));
@@ -348,7 +323,6 @@ private:
     w.bits = 1u;
     w.y = -1;
     w.sigma = s.start_value;
-    CGAL_GEODESIC_OFFSET_CERTIFICATE(w.precise = m_mesh.precise().add({Precise(0), Precise(-1), Precise(s.start_value), true});)
     w.radius = 4 * s.moved;
     w.set_interval((std::max)(0., (std::min)(a, b) - s.moved), (std::min)(length, (std::max)(a, b) + s.moved));
     return w;

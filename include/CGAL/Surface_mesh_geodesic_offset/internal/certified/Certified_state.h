@@ -61,12 +61,11 @@ public:
   }
 
   // Processes a path to v with an error of at most the radius; `back` is the direction to its start, known up to an angle.
-  void arrive(Index v, double distance, double radius, const Ray_at_vertex<double>& back,
-              double angle CGAL_GEODESIC_OFFSET_CERTIFICATE(, const std::vector<Precise>& directions))
+  void arrive(Index v, double distance, double radius, const Ray_at_vertex<double>& back, double angle)
   {
     field.bounds.update(v, distance, radius);
     if (!mesh.can_be_pseudo_source(v) || distance - radius > field.bounds.upper(v)) return;
-    if (m_arrivals.add(v, {back, angle, distance, radius, false, no_index CGAL_GEODESIC_OFFSET_CERTIFICATE(, directions)}))
+    if (m_arrivals.add(v, {back, angle, distance, radius, false, no_index}))
       queue.push_vertex((std::max)(queue.bucket_of(distance), queue.current()), v);
   }
 
@@ -88,7 +87,6 @@ public:
     const double length = mesh.length(g);
     const double margin = pruning_margin(w.radius + 4 * w.error_of_image(), (std::max)(w.d0, w.d1), length);
     Certified_pruning pruning(length, field.bounds.upper(unfolded.source(g)), field.bounds.upper(unfolded.target(g)), margin);
-    CGAL_GEODESIC_OFFSET_CERTIFICATE(pruning.set_radius(w.radius);)
     if (pruning.trim(output.next())) output.keep(output.next().minimum());
     m_single.finish(output);
     append(m_single);

@@ -9,7 +9,6 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/Geodesic_number_pair.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Precise_mesh.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Double_double.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window.h>
 
@@ -62,7 +61,6 @@ struct Certified_window
   double radius;
   double x_low, y_low, sigma_low;
   Index bits; // bit 0: parallel; bit 1: propagated; from bit 2: number of faces since the last bend
-  CGAL_GEODESIC_OFFSET_CERTIFICATE(const Precise_image* precise;)
 
   bool is_parallel() const { return bits & 1u; }
   bool is_propagated() const { return bits & 2u; }

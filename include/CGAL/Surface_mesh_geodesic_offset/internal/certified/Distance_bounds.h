@@ -8,7 +8,6 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Precise_mesh.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Unfolded_mesh.h>
 
 #include <CGAL/assertions.h>
@@ -56,8 +55,6 @@ struct Arrival
   double distance, radius;
   bool has_spread;
   Index next; // next arrival at the same vertex
-  // Directions of all merged paths, as angles from the corner.
-  CGAL_GEODESIC_OFFSET_CERTIFICATE(std::vector<Precise> directions;)
 
   double lower() const { return distance - radius; }
 
@@ -68,8 +65,6 @@ struct Arrival
     const double cross = back.x * o.back.y - back.y * o.back.x, dot = back.x * o.back.x + back.y * o.back.y;
     if (!(std::abs(cross) <= same_direction * dot)) return false;
     const double from = (std::min)(lower(), o.lower()), to = (std::max)(distance + radius, o.distance + o.radius);
-    CGAL_GEODESIC_OFFSET_CERTIFICATE(if (!has_spread)
-                                       directions.insert(directions.end(), o.directions.begin(), o.directions.end());)
     if (from >= lower() && to <= distance + radius && o.angle + std::abs(cross) / dot <= angle) return true;
     if (has_spread) return false;
     distance = 0.5 * (from + to);
