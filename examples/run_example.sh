@@ -48,13 +48,13 @@ if command -v apt-get >/dev/null 2>&1; then
   install_packages
 fi
 
-# two compilers at a time take up to 4 GB
+# a compiler takes up to 1.2 GB
 jobs=$(nproc 2>/dev/null || echo 1)
-[ "$jobs" -le 2 ] || jobs=2
+[ "$jobs" -le 4 ] || jobs=4
 
 cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release
 if [ ! -x "$build/bin/geodesic_offset" ]; then
-  echo "Compiling geodesic_offset, which takes about two minutes. The compiler prints nothing meanwhile."
+  echo "Compiling the library and the program geodesic_offset, with up to $jobs compilers at a time: about a minute with two."
 fi
 cmake --build "$build" --target geodesic_offset generate_example_mesh -j "$jobs"
 

@@ -6,8 +6,8 @@
 #
 #   test/run_tests.sh [arguments for ctest]        for example: test/run_tests.sh -R offset
 #
-# Missing Debian packages are installed (as root, or through sudo). The build goes to build/, and the
-# meshes of the Debian package libcgal-demo to build/data/meshes. The tests find those through the
+# Missing Debian packages are installed (as root, or through sudo). The build goes to build-tests/, and the
+# meshes of the Debian package libcgal-demo to build-tests/data/meshes. The tests find those through the
 # CMake variable GEODESIC_OFFSET_DATA_DIR; set the environment variable of the same name to a folder of
 # meshes of your own (or of another CGAL release) to use that instead.
 # Some tests run few of their cases; with the environment variable GEODESIC_OFFSET_ALL_CASES they run all.
@@ -15,7 +15,7 @@
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
-build=$root/build
+build=$root/build-tests
 packages=(g++ cmake make libcgal-dev libcgal-demo libboost-program-options-dev libboost-dev libpng-dev zlib1g-dev libeigen3-dev
           libgmp-dev libmpfr-dev libtbb-dev libopenmesh-dev python3 doxygen)
 # Readers of the program's files in the tests, and clang-format: large packages, which are installed while the compiler runs.
@@ -102,7 +102,7 @@ if command -v dpkg-query >/dev/null; then
 fi
 export GEODESIC_OFFSET_DATA_DIR=${GEODESIC_OFFSET_DATA_DIR:-}
 
-# -O1, and programs that no test runs are only checked: most of the time of a fresh clone goes into compiling.
+# -O1, except for the library, and programs that no test runs are only checked: most of the time of a fresh clone goes into compiling.
 cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE="-O1 -DNDEBUG" \
   -DGEODESIC_OFFSET_ONLY_CHECK_PROGRAMS=ON \
   -DGEODESIC_OFFSET_NEWER_CGAL_INCLUDE_DIR="$build/newer_cgal/include" \
