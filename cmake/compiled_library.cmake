@@ -15,7 +15,7 @@ function(add_geodesic_offset_library target)
       "VORONOI voronoi/Bisector_diagram"
       "CERTIFIED certified/Certified_build"
       "PATH Geodesic_build"
-      "LOCATOR mesh/Surface_locator paths/Polyline_joining"
+      "LOCATOR mesh/Surface_locator Polyline_joining"
       "MESH mesh/Unfolded_mesh mesh/Index_renumbering"
       "SOURCE sources/Source_set")
     string(REPLACE " " ";" headers "${part}")

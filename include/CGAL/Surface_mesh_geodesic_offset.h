@@ -12,7 +12,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/Offset_curve.h>
 #include <CGAL/Surface_mesh_geodesic_offset/Offset_levels.h>
 #include <CGAL/Surface_mesh_geodesic_offset/Offset_side.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/statistics_report.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/surface/statistics_report.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/surface/build_parameters.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/surface/cut_offset_curves.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/surface/source_classification.h>
@@ -499,7 +499,8 @@ public:
     namespace internal = Geodesic_offset::internal;
     internal::check_named_parameters<internal::Build_parameters, NamedParameters>();
     const auto fresh = std::make_shared<Build>(data().unfolded(), classified_sources(), request(np));
-    fresh->template propagate<internal::Concurrency_tag_of<NamedParameters>, Build::parts_for(internal::build_parts_of<NamedParameters>)>(data().traits);
+    fresh->template propagate<internal::Concurrency_tag_of<NamedParameters>,
+                              Build::parts_for(internal::build_parts_of<NamedParameters>)>(data().traits);
     internal::report(fresh->statistics, np);
     return m_field = field_of(fresh);
   }
@@ -548,7 +549,8 @@ public:
     const auto sources = classified_sources();
     const bool grows = can_grow && sources.extends(b.sources);
     const auto fresh = grows ? std::make_shared<Build>(b, sources, r) : std::make_shared<Build>(data().unfolded(), sources, r);
-    fresh->template propagate<internal::Concurrency_tag_of<NamedParameters>, Build::parts_for(internal::ALL_PARTS)>(data().traits);
+    fresh->template propagate<internal::Concurrency_tag_of<NamedParameters>, Build::parts_for(internal::ALL_PARTS)>(
+      data().traits);
     internal::report(fresh->statistics, np);
     if (!fresh->is_cancelled) m_field = field_of(fresh);
     return m_field;
@@ -609,8 +611,8 @@ public:
     internal::check_named_parameters<internal::Build_and_offset_parameters, NamedParameters>();
     const auto wanted = internal::offset_levels<Surface>(levels);
     const auto fresh = std::make_shared<Build>(data().unfolded(), classified_sources(), request(np));
-    internal::propagate_and_cut<internal::Concurrency_tag_of<NamedParameters>, internal::build_parts_of<NamedParameters>>(data(), *fresh, wanted,
-                                                                                           internal::offset_selection(np), f);
+    internal::propagate_and_cut<internal::Concurrency_tag_of<NamedParameters>, internal::build_parts_of<NamedParameters>>(
+      data(), *fresh, wanted, internal::offset_selection(np), f);
     internal::report(fresh->statistics, np);
     m_field = field_of(fresh);
   }

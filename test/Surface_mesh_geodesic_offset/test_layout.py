@@ -1,12 +1,16 @@
 # Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The layout of the headers: no cycle of includes between modules, no protected members, names of files and include guards.
+"""The layout of the headers: core and shell, no cycle of includes between modules, no protected members, names of files and include
+guards.
 
     test_layout.py INCLUDE_FOLDER
 
 Each public header is a module, as programs include it alone. Each folder of internal/, IO/internal/, and the files beside the
 folders of internal/ are a module each. So an internal header may include a public one, for example of a type of results, if
 that header needs nothing of the folder of the internal header.
+
+The folders of internal/ are core or shell, see README.md. A header of the core includes none of the shell, and definitions, in files
+*_impl.h, are included only by the header that declares, unless the library is compiled, and by core_definitions.h.
 
 A header has the name of its main class or type; that of a public class may omit "Geodesic_". A name in lower case is for
 headers of functions or metafunctions, with no more classes than these.
@@ -22,7 +26,10 @@ INCLUDE = re.compile(r"^ *# *include *[<\"](%s[^>\"]*)[>\"]" % PACKAGE, re.MULTI
 NAME = re.compile(r"^(?:(class|struct)|enum class|using) (?:alignas\(.*\) )?(\w+)(?! *[;<\w])|^typedef [^;]*?(\w+);", re.MULTILINE)
 FUNCTION = re.compile(r"^(?!class|struct|enum|using|typedef|namespace|template|static_assert)\w.*\b\w+\(|^  typedef [^;]*\btype;",
                       re.MULTILINE)
-DOORS = {PACKAGE + "/Radical_numbers.h"}  # public headers of internal modules, without a class
+DOORS = {PACKAGE + "/Radical_numbers.h", PACKAGE + "/core_definitions.h"}  # public headers of internal modules, without a class
+SHELL = ["surface", "functions", "parameters", "splitting"]  # folders of internal/; all others are core
+DEFINITIONS = PACKAGE + "/core_definitions.h"
+COMPILED = "#ifndef CGAL_GEODESIC_OFFSET_COMPILED\n#include <%s>\n#endif\n"
 NO_GUARD = {INTERNAL + "parameters/parameters_interface.h"}  # included once per list
 
 
@@ -38,16 +45,34 @@ def module_of(name):
     return os.path.dirname(name) if "/internal/" in name else name
 
 
+def is_shell(name):
+    return name.startswith(tuple(INTERNAL + folder + "/" for folder in SHELL))
+
+
+def division_errors(name, text):
+    """What is wrong with the division into core and shell, and into declarations and definitions."""
+    errors = []
+    for included in INCLUDE.findall(text):
+        if name.startswith(INTERNAL) and not is_shell(name) and is_shell(included):
+            errors.append("%s, of the core, includes %s, of the shell" % (name, included))
+        if included.endswith("_impl.h") and name != DEFINITIONS and (
+                included != name[:-2] + "_impl.h" or COMPILED % included not in text):
+            errors.append("%s includes the definitions in %s" % (name, included))
+    return errors
+
+
 def naming_error(name, text):
     """What is wrong with the name of a header; empty if nothing is."""
     base = os.path.basename(name)[:-2]
+    if base.endswith("_impl") or name in DOORS:
+        return ""
     found = NAME.findall(text)
     types = {of_class or of_type for _, of_class, of_type in found}
     main = base[0].upper() + base[1:]
     if base == main:
         is_public = "/internal/" not in name
         is_main = base in types or is_public and "Geodesic_" + base[0].lower() + base[1:] in types
-        return "" if is_main or name in DOORS else name + " is not named after one of its types"
+        return "" if is_main else name + " is not named after one of its types"
     classes = {of_class for kind, of_class, _ in found if kind}
     if main in types or len(classes) > len(FUNCTION.findall(text)):
         return "%s is not a header of functions: it has the classes %s" % (name, ", ".join(sorted(classes)))
@@ -91,6 +116,7 @@ def errors_of(texts):
     if found:
         errors.append("a cycle of modules: " + "; ".join(graph[a][b] for a, b in zip(found, found[1:])))
     for name, text in texts.items():
+        errors += division_errors(name, text)
         if naming_error(name, text):
             errors.append(naming_error(name, text))
         if re.search(r"^ *protected *:", text, re.MULTILINE):
@@ -110,6 +136,8 @@ def check_checks(texts):
                        (functions, texts[functions].replace("\nnamespace CGAL", "\nstruct Prefetch\n{\n};\nnamespace CGAL", 1)),
                        (first, texts[first] + "#include <%s>\n" % second.replace("Window.h", "Lower_envelope.h")),
                        (first, texts[first] + "#include <%s/Geodesic_mesh.h>\n" % PACKAGE),
+                       (second, texts[second] + "#include <%sparameters/named_parameters.h>\n" % INTERNAL),
+                       (second, texts[second] + "#include <%sGeodesic_build_impl.h>\n" % INTERNAL),
                        (PACKAGE + "/Offset_side.h",
                         "#include <%s/Offset_piece.h>\n" % PACKAGE + texts[PACKAGE + "/Offset_side.h"]),
                        (PACKAGE + "/IO/internal/Curve_line.h",

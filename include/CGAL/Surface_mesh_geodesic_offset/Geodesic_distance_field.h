@@ -452,10 +452,7 @@ private:
     return p.kind == Surface_point::VERTEX ? built() : built_with_windows();
   }
 
-  Path_start start_at(const Located_point& p) const
-  {
-    return built_for(p).path_start(p);
-  }
+  Path_start start_at(const Located_point& p) const { return built_for(p).path_start(p); }
 
   template <class Location, class Function>
   void trace_from(const Location& location, const Function& out) const

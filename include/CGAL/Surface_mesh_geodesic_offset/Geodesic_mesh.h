@@ -9,12 +9,12 @@
 #include <CGAL/Surface_mesh_geodesic_offset/Geodesic_plane_section.h>
 #include <CGAL/Surface_mesh_geodesic_offset/Geodesic_source_set.h>
 #include <CGAL/Surface_mesh_geodesic_offset/Surface_mesh_geodesic_offset_traits.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Polyline_joining.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Polyline_joining.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/surface/Geodesic_mesh_data.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/surface/normal_angle.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/surface/own_maps.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/point_conversion.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Polyline_joining.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Polyline_joining.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/surface/Plane_cutting.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/workers/Concurrency.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/parameters/named_parameters.h>

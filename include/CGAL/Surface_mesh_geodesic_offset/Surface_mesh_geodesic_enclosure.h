@@ -340,8 +340,7 @@ private:
     c.bounds_region = r.bounds_region;
     c.tolerance = r.tolerance;
     c.limit = r.limit;
-    if (r.face != Geodesic_offset::internal::no_index)
-      c.location = data().surface().location(r.face, r.place);
+    if (r.face != Geodesic_offset::internal::no_index) c.location = data().surface().location(r.face, r.place);
     c.distance_bounds = r.bounds;
     if (r.curve != Geodesic_offset::internal::no_curve) c.curve = r.curve;
     c.number_of_reversed_curves = r.reversed.size();

@@ -18,7 +18,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Surface_locator_impl.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Unfolded_mesh_impl.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/level_cutting_impl.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Polyline_joining_impl.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Polyline_joining_impl.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Source_set_impl.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Bisector_diagram_impl.h>
 

@@ -82,7 +82,8 @@ OutputIterator geodesic_offset_curves(const TriangleMesh& tm, const Sources& sou
   if (!wanted.is_unlimited() && wanted.size() > 0) request.maximum = (std::min)(request.maximum, wanted[wanted.size() - 1]);
   auto build = call.build(request);
   const auto write = internal::curve_writer<Geodesic_offset_curve_type<TriangleMesh, NamedParameters>>(out);
-  internal::propagate_and_cut<typename Call::Concurrency_tag, Call::parts>(call.data(), build, wanted, internal::offset_selection(np), write);
+  internal::propagate_and_cut<typename Call::Concurrency_tag, Call::parts>(call.data(), build, wanted,
+                                                                           internal::offset_selection(np), write);
   internal::report(build.statistics, np);
   return out;
 }

@@ -76,10 +76,9 @@ Geodesic_build<Traits>::Geodesic_build(const Unfolded_mesh<FT>& mesh, const Sour
 template <class Traits>
 Geodesic_build<Traits>::Geodesic_build(const Geodesic_build& before, const Source_set<FT>& source_set,
                                        const Build_request<FT>& request)
-  : sources(source_set), initial(sources.initial_windows(before.m_mesh)), maximum(request.maximum),
-    kept(request.keeps_windows), suffixes(before.m_mesh.number_of_vertices()),
-    suffixes_in_space(before.m_mesh.number_of_vertices()), m_mesh(before.m_mesh), m_request(request),
-    m_first_new(Index(before.initial.primitives.size()))
+  : sources(source_set), initial(sources.initial_windows(before.m_mesh)), maximum(request.maximum), kept(request.keeps_windows),
+    suffixes(before.m_mesh.number_of_vertices()), suffixes_in_space(before.m_mesh.number_of_vertices()), m_mesh(before.m_mesh),
+    m_request(request), m_first_new(Index(before.initial.primitives.size()))
 {
   field.start_from(before.field, initial.start_values);
 }
@@ -132,7 +131,8 @@ void Geodesic_build<Traits>::run_front(const Traits& traits, Consumer_of<Concurr
   typedef typename Concurrency<Concurrency_tag, FT>::Tag Tag;
   CGAL_precondition((parts & MERGING) != 0 || !is_approximate());
   const Front_traits<Traits, parts> front_traits(traits);
-  Wavefront<Front_traits<Traits, parts>, Tag> front(m_mesh, initial, front_traits, maximum, kept, consumer.reads_lists(), field, m_request.tolerance);
+  Wavefront<Front_traits<Traits, parts>, Tag> front(m_mesh, initial, front_traits, maximum, kept, consumer.reads_lists(), field,
+                                                    m_request.tolerance);
   std::size_t next_target = 0;
   const auto goes_on = [&](const FT& distance, std::size_t passed) {
     const auto& targets = m_request.targets;
@@ -216,7 +216,7 @@ Suffix_end<typename Traits::FT> Geodesic_build<Traits>::path_end(const Located_p
 
 template <class Traits>
 Suffix_end<typename Traits::FT> Geodesic_build<Traits>::trace_path(const Located_point<FT>& p, const Path_start<FT>& start,
-                                        std::vector<Path_element<FT>>& path) const
+                                                                   std::vector<Path_element<FT>>& path) const
 {
   Path_elements<FT> elements(path);
   return Path_tracing<FT>(m_mesh, initial, field)(p, start, suffixes, elements);

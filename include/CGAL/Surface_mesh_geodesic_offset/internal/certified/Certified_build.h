@@ -66,8 +66,8 @@ class Certified_build
 {
 public:
   // The mesh as certified computations have it; several builds share it. `unfolded` must outlive it.
-  static std::shared_ptr<const Certified_mesh> make_mesh(const Unfolded_mesh<double>& unfolded,
-                                                         const Surface_points<Exact_predicates_inexact_constructions_kernel>& points);
+  static std::shared_ptr<const Certified_mesh> make_mesh(
+    const Unfolded_mesh<double>& unfolded, const Surface_points<Exact_predicates_inexact_constructions_kernel>& points);
 
   Certified_build(const std::shared_ptr<const Certified_mesh>& mesh, const Source_set<double>& sources, bool keeps_windows);
   ~Certified_build();

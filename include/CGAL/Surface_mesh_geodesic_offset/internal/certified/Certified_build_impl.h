@@ -62,8 +62,8 @@ CGAL_GEODESIC_OFFSET_INLINE Bounds Certified_build::distance_bounds(const Surfac
   return {m_parts->mesh->from_unit(d.first), m_parts->mesh->from_unit(d.second)};
 }
 
-CGAL_GEODESIC_OFFSET_INLINE Offset_certification_result Certified_build::certify_offset(double distance,
-                                                                                       const std::vector<Curve_to_certify>& curves) const
+CGAL_GEODESIC_OFFSET_INLINE Offset_certification_result
+Certified_build::certify_offset(double distance, const std::vector<Curve_to_certify>& curves) const
 {
   const Certified_mesh& mesh = *m_parts->mesh;
   const auto point_to_unit = [&](const Point_in_face<double>& p) {

@@ -23,7 +23,6 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-
 // A piece of a curve in a face, from one point of the surface to another one. Consecutive pieces share a point.
 struct Curve_piece
 {

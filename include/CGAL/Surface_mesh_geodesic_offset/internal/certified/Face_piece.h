@@ -21,7 +21,6 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-
 inline Double_double_2 middle_of(const Double_double_2& p, const Double_double_2& q)
 {
   const Double_double x = p.x + q.x, y = p.y + q.y;

@@ -17,20 +17,20 @@
   instantiation Unfolded_mesh<double>::Unfolded_mesh(const Index_renumbering&, const All_face_links&,                          \
                                                      const std::vector<Index>&, std::size_t, const std::vector<double>&,       \
                                                      Team&);                                                                   \
-  instantiation void Index_renumbering::renumber_if_scattered(                                                                 \
-    const All_face_links&, const std::vector<Index>&, const Index_renumbering::Coordinates&, Team&);
+  instantiation void Index_renumbering::renumber_if_scattered(const All_face_links&, const std::vector<Index>&,                \
+                                                              const Index_renumbering::Coordinates&, Team&);
 
 #define CGAL_GEODESIC_OFFSET_FRONT_FUNCTIONS_OF(instantiation, Tag)                                                            \
-  instantiation void Geodesic_build<Epick_traits>::propagate<Tag, ALL_PARTS>(const Epick_traits&);                                  \
-  instantiation void Geodesic_build<Epick_traits>::run<Tag, ALL_PARTS>(                                                             \
-    const Epick_traits&, Geodesic_build<Epick_traits>::Consumer_of<Tag>&);
+  instantiation void Geodesic_build<Epick_traits>::propagate<Tag, ALL_PARTS>(const Epick_traits&);                             \
+  instantiation void Geodesic_build<Epick_traits>::run<Tag, ALL_PARTS>(const Epick_traits&,                                    \
+                                                                       Geodesic_build<Epick_traits>::Consumer_of<Tag>&);
 
 #define CGAL_GEODESIC_OFFSET_CUTTING_FUNCTIONS_OF(instantiation, Tag)                                                          \
   instantiation void cut_all_faces<Tag>(const Unfolded_mesh<double>&, const Geodesic_build<Epick_traits>&,                     \
                                         const Epick_traits&, const Level_request<double>&, const Level_output<double>&);       \
-  instantiation void cut_finalized_faces<Tag, ALL_PARTS>(const Unfolded_mesh<double>&, Geodesic_build<Epick_traits>&,               \
-                                                    const Epick_traits&, const Level_request<double>&,                         \
-                                                    const Level_output<double>&);
+  instantiation void cut_finalized_faces<Tag, ALL_PARTS>(const Unfolded_mesh<double>&, Geodesic_build<Epick_traits>&,          \
+                                                         const Epick_traits&, const Level_request<double>&,                    \
+                                                         const Level_output<double>&);
 
 #ifdef CGAL_LINKED_WITH_TBB
 #define CGAL_GEODESIC_OFFSET_PARALLEL(functions) functions
@@ -57,9 +57,9 @@
 
 #define CGAL_GEODESIC_OFFSET_PATH_FUNCTIONS(instantiation)                                                                     \
   instantiation class Geodesic_build<Epick_traits>;                                                                            \
-  instantiation void Geodesic_build<Epick_traits>::trace_path_in_space(const Located_point<double>&,                           \
-                                                                       const Path_start<double>&, const Surface_points<Epick>&,\
-                                                                       std::vector<Epick::Point_3>&) const;
+  instantiation void Geodesic_build<Epick_traits>::trace_path_in_space(                                                        \
+    const Located_point<double>&, const Path_start<double>&, const Surface_points<Epick>&, std::vector<Epick::Point_3>&)       \
+    const;
 
 #define CGAL_GEODESIC_OFFSET_CUTTING_FUNCTIONS(instantiation)                                                                  \
   CGAL_GEODESIC_OFFSET_CUTTING_FUNCTIONS_OF(instantiation, Sequential_tag)                                                     \
@@ -75,7 +75,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Geodesic_build.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Surface_locator.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/level_cutting.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Polyline_joining.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Polyline_joining.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Bisector_diagram.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

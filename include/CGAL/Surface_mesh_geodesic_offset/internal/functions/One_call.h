@@ -10,7 +10,7 @@
 
 #include <CGAL/Surface_mesh_geodesic_offset/Geodesic_mesh_type.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Geodesic_build.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/statistics_report.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/surface/statistics_report.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/surface/build_parameters.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/surface/Source_argument.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/surface/source_classification.h>
@@ -44,8 +44,7 @@ public:
   typedef Concurrency_tag_of<NamedParameters> Concurrency_tag;
 
   // Points in space are joined by paths, which need kept windows; so there is one propagation for both.
-  static constexpr unsigned parts =
-    build_parts_of<NamedParameters> | (has_points_in_space<Sources> ? KEPT_WINDOWS : NO_PARTS);
+  static constexpr unsigned parts = build_parts_of<NamedParameters> | (has_points_in_space<Sources> ? KEPT_WINDOWS : NO_PARTS);
 
   One_call(const TriangleMesh& tm, const Sources& sources, const NamedParameters& np)
     : m_mesh(Mesh_access::make<Mesh>(tm, np)), m_np(np)

@@ -337,7 +337,7 @@ private:
       return may_reach(nearest, 0);
     }
 
-      const Search& m_search;
+    const Search& m_search;
     const Point_3& m_point;
     const Coordinates m_coordinates;
     const double m_slack;

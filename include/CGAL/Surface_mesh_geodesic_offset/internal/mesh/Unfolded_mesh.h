@@ -188,16 +188,16 @@ private:
 
   // first_corners: initially no_index; receives the lowest corner at each vertex.
   template <class Layout, class Team, class First_corners>
-  void set_up(const Index_renumbering& numbers, const All_face_links& links, const std::vector<Index>& face_at, const Layout& layout,
-              Team& team, First_corners& first_corners);
+  void set_up(const Index_renumbering& numbers, const All_face_links& links, const std::vector<Index>& face_at,
+              const Layout& layout, Team& team, First_corners& first_corners);
 
   // True if halfedges are paired consistently: twins have opposite ends and equal lengths.
   bool has_consistent_twins() const;
 
   template <class Layout, class First_corners>
-  Laid_out_faces lay_out_faces(std::size_t begin, std::size_t end, const Index_renumbering& numbers, const All_face_links& links,
-                               const std::vector<Index>& face_at, const Layout& layout, First_corners& first_corners,
-                               std::vector<double>& lengths);
+  Laid_out_faces lay_out_faces(std::size_t begin, std::size_t end, const Index_renumbering& numbers,
+                               const All_face_links& links, const std::vector<Index>& face_at, const Layout& layout,
+                               First_corners& first_corners, std::vector<double>& lengths);
 
   // Corners around a vertex, from border to border or all around.
   struct Fan

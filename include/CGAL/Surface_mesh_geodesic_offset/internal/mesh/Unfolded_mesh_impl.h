@@ -91,8 +91,8 @@ bool Unfolded_mesh<FT>::has_usable_scale() const
 
 template <class FT>
 template <class Layout, class Team, class First_corners>
-void Unfolded_mesh<FT>::set_up(const Index_renumbering& numbers, const All_face_links& links, const std::vector<Index>& face_at, const Layout& layout,
-              Team& team, First_corners& first_corners)
+void Unfolded_mesh<FT>::set_up(const Index_renumbering& numbers, const All_face_links& links, const std::vector<Index>& face_at,
+                               const Layout& layout, Team& team, First_corners& first_corners)
 {
   const Blocks blocks(face_at.size(), team.size());
   std::vector<Laid_out_faces> laid_out(blocks.number());
@@ -132,9 +132,9 @@ bool Unfolded_mesh<FT>::has_consistent_twins() const
 
 template <class FT>
 template <class Layout, class First_corners>
-typename Unfolded_mesh<FT>::Laid_out_faces Unfolded_mesh<FT>::lay_out_faces(std::size_t begin, std::size_t end, const Index_renumbering& numbers, const All_face_links& links,
-                               const std::vector<Index>& face_at, const Layout& layout, First_corners& first_corners,
-                               std::vector<double>& lengths)
+typename Unfolded_mesh<FT>::Laid_out_faces Unfolded_mesh<FT>::lay_out_faces(
+  std::size_t begin, std::size_t end, const Index_renumbering& numbers, const All_face_links& links,
+  const std::vector<Index>& face_at, const Layout& layout, First_corners& first_corners, std::vector<double>& lengths)
 {
   constexpr std::size_t ahead = 32;
   const auto lay_out = layout.functor();

@@ -101,7 +101,8 @@ struct Core_definitions; // complete in core_definitions.h
 // True if the compiled library has the functions of the core for the traits of a computation.
 template <class Computing_traits>
 constexpr bool is_compiled =
-  std::is_same<Computing_traits, Surface_mesh_geodesic_offset_traits<Exact_predicates_inexact_constructions_kernel, void>>::value;
+  std::is_same<Computing_traits,
+               Surface_mesh_geodesic_offset_traits<Exact_predicates_inexact_constructions_kernel, void>>::value;
 
 // True if the functions of the core are in the compiled library, or their definitions are visible.
 template <class Computing_traits, class = void>

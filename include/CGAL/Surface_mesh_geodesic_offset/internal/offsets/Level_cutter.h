@@ -31,7 +31,8 @@ public:
 
   // `out` must outlive this object.
   template <class Build>
-  Level_cutter(const Unfolded_mesh<FT>& mesh, const Build& build, const Offset_levels<FT>& levels, const Curve_selection<FT>& out)
+  Level_cutter(const Unfolded_mesh<FT>& mesh, const Build& build, const Offset_levels<FT>& levels,
+               const Curve_selection<FT>& out)
     : m_tolerance(build.request().tolerance),
       m_extraction(mesh, build.initial, build.field, levels, build.maximum, m_tolerance), m_out(out)
   {

@@ -103,10 +103,11 @@ private:
                      const VertexPointMap& vpm, const Traits& user_traits, const NamedParameters& np)
     : traits(Computation<Traits>::computing_traits(user_traits))
   {
-    static_assert(has_core_functions<Computing_traits>,
-                  "Surface_mesh_geodesic_offset: the compiled library has the functions for kernels on double. With other number "
-                  "types, or traits with functors of their own, include "
-                  "<CGAL/Surface_mesh_geodesic_offset/core_definitions.h> first, or link the target without ::compiled");
+    static_assert(
+      has_core_functions<Computing_traits>,
+      "Surface_mesh_geodesic_offset: the compiled library has the functions for kernels on double. With other number "
+      "types, or traits with functors of their own, include "
+      "<CGAL/Surface_mesh_geodesic_offset/core_definitions.h> first, or link the target without ::compiled");
     typedef Concurrency_tag_of<NamedParameters> Tag;
     static_assert(std::is_convertible<Tag, Sequential_tag>::value,
                   "Surface_mesh_geodesic_offset: concurrency_tag() needs a concurrency tag");

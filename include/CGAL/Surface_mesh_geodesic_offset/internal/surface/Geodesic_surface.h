@@ -393,8 +393,8 @@ private:
     numbers.renumber_if_scattered(
       links, indices,
       [&](std::size_t i) {
-        const auto& p = get(vpm, all_vertices[i]);
-        return Per_corner<double>(finite(p.x()), finite(p.y()), finite(p.z()));
+      const auto& p = get(vpm, all_vertices[i]);
+      return Per_corner<double>(finite(p.x()), finite(p.y()), finite(p.z()));
       },
       team);
   }

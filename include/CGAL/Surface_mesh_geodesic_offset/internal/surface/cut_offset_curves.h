@@ -76,7 +76,8 @@ public:
 
   // `levels` and `f` must outlive this object.
   template <class Build>
-  Curve_output(const std::shared_ptr<const Surface>& surface, const Build& build, const Offset_levels<Number>& levels, Function& f)
+  Curve_output(const std::shared_ptr<const Surface>& surface, const Build& build, const Offset_levels<Number>& levels,
+               Function& f)
     : m_context(std::make_shared<Context>(Context{surface, build.initial.primitives})), m_tolerance(build.request().tolerance),
       m_levels(levels), m_function(f)
   {
@@ -90,8 +91,8 @@ public:
     std::vector<Curve> curves;
     const typename Surface::FT tolerance = Surface::exported(m_tolerance.error_at(m_levels[level]));
     for (Level_curve<Number>& c : cut)
-      curves.push_back(
-        Context::make_curve(m_context, Surface::exported(m_levels[level]), tolerance, c.is_closed, std::move(c.pieces)));
+      curves.push_back(Context::make_curve(m_context, Surface::exported(m_levels[level]), tolerance, c.is_closed,
+                                           std::move(c.pieces)));
     m_next = level + 1;
     m_function(Surface::exported(m_levels[level]), std::move(curves));
   }
@@ -121,7 +122,9 @@ void propagate_and_cut(const Geodesic_mesh_data<Surface>& mesh, Build& build,
 {
   Curve_output<Surface, Function> output(mesh.shared_surface, build, levels, f);
   cut_finalized_faces<Concurrency_tag, Build::parts_for(parts)>(mesh.unfolded(), build, mesh.traits, {levels, selection},
-                                                   [&](std::size_t level, auto&& cut) { output.add(level, std::move(cut)); });
+                                                                [&](std::size_t level, auto&& cut) {
+    output.add(level, std::move(cut));
+  });
   output.finish();
 }
 

@@ -3,8 +3,8 @@
 //
 // Definitions for Polyline_joining.h.
 
-#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_PATHS_POLYLINE_JOINING_IMPL_H
-#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_PATHS_POLYLINE_JOINING_IMPL_H
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_POLYLINE_JOINING_IMPL_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_POLYLINE_JOINING_IMPL_H
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
@@ -14,7 +14,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_elements.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_start_query.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_tracing.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Polyline_joining.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Polyline_joining.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/workers/Concurrency.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -63,7 +63,8 @@ public:
       links.push_back(l);
     }
     Single_worker alone;
-    m_mesh = Unfolded_mesh<Number>(Index_renumbering(points.size(), links.size()), links, face_at, points, whole.m_traits, alone);
+    m_mesh =
+      Unfolded_mesh<Number>(Index_renumbering(points.size(), links.size()), links, face_at, points, whole.m_traits, alone);
   }
 
   // Appends the elements of the path, in terms of the whole mesh.
@@ -121,8 +122,7 @@ private:
   }
   void add(const Surface_point& p, std::vector<Path_crossing<Number>>& passed) const
   {
-    if (p.kind == Surface_point::VERTEX)
-      passed.push_back({no_index, m_vertices[p.element], m_vertices[p.element], Number(0)});
+    if (p.kind == Surface_point::VERTEX) passed.push_back({no_index, m_vertices[p.element], m_vertices[p.element], Number(0)});
   }
 
   static bool is_at(Index vertex, const Surface_point& p) { return p.kind == Surface_point::VERTEX && p.element == vertex; }
@@ -224,7 +224,8 @@ public:
                          p.kind == Surface_point::EDGE ? t : CGAL::to_double(p.weights[1]),
                          p.kind == Surface_point::EDGE ? 0 : CGAL::to_double(p.weights[2])};
     const Plain_point corner[3] = {plain_point(m_mesh.source(h)), plain_point(m_mesh.source(g)), plain_point(m_mesh.target(g))};
-    return CGAL::ORIGIN + (w[0] * (corner[0] - CGAL::ORIGIN) + w[1] * (corner[1] - CGAL::ORIGIN) + w[2] * (corner[2] - CGAL::ORIGIN));
+    return CGAL::ORIGIN +
+           (w[0] * (corner[0] - CGAL::ORIGIN) + w[1] * (corner[1] - CGAL::ORIGIN) + w[2] * (corner[2] - CGAL::ORIGIN));
   }
 
   static Plain_point plain(const typename Kernel::Point_3& p)

@@ -4,8 +4,8 @@
 // Joins points of the surface by shortest paths. Consecutive points of a polyline are mostly near each other, so each path is
 // computed on a small mesh of the faces that it may pass, whatever the size of the whole mesh.
 
-#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_PATHS_POLYLINE_JOINING_H
-#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_PATHS_POLYLINE_JOINING_H
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_POLYLINE_JOINING_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_POLYLINE_JOINING_H
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
@@ -48,7 +48,7 @@ private:
 } // namespace CGAL
 
 #ifndef CGAL_GEODESIC_OFFSET_COMPILED
-#include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Polyline_joining_impl.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Polyline_joining_impl.h>
 #endif
 
 #endif
