@@ -14,7 +14,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/Offset_side.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/surface/statistics_report.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/surface/build_parameters.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/surface/cut_offset_curves.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/functions/cut_offset_curves.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/surface/source_classification.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/parameters/named_parameters.h>
 

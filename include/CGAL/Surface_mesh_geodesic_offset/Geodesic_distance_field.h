@@ -15,7 +15,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/Offset_side.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Geodesic_build.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/surface/vertex_results.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/surface/cut_offset_curves.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/functions/cut_offset_curves.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/surface/Path_visits.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/parameters/named_parameters.h>
 

@@ -10,7 +10,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/Offset_levels.h>
 #include <CGAL/Surface_mesh_geodesic_offset/Offset_side.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/functions/One_call.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/surface/cut_offset_curves.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/functions/cut_offset_curves.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/parameters/named_parameters.h>
 
 #include <algorithm>
