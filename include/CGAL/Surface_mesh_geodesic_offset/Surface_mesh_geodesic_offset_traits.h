@@ -32,15 +32,16 @@ namespace CGAL {
 All constructions use the arithmetic of the kernel's `FT`: they are rounded for a floating point type, and exact for an exact
 number type with square roots, such as that of `Exact_predicates_exact_constructions_kernel_with_sqrt`.
 
-With a kernel whose `FT` is `double` or `float` and whose predicates are exact, such as
-`Exact_predicates_inexact_constructions_kernel`, the side tests are exact for the given coordinates, behind a floating point
-filter. With `Simple_cartesian<double>` they are rounded and unguarded: rays that pass an apex within rounding may be sent
-through the wrong edge.
+If `FT` is `double`, computations use the predicates of `Exact_predicates_inexact_constructions_kernel`, whatever the kernel: the
+side tests are exact for the given coordinates, behind a floating point filter. Otherwise, and in derived classes that replace
+functors, the side tests are those of the kernel: exact if `FT` is `double` or `float` and the predicates of the kernel are exact.
+With `Simple_cartesian<float>` they are rounded and unguarded: rays that pass an apex within rounding may be sent through the
+wrong edge.
 
 The points of the mesh may belong to another kernel, for example an exact one: their coordinates are converted, with
 `CGAL::to_double()` if `FT` is `double`.
 
-If `CGAL_PROFILE` is defined, the number of side tests, and of those that the filter left undecided, is printed when the
+If `CGAL_PROFILE` is defined, also for the compiled library, the number of side tests, and of those that the filter left undecided, is printed when the
 program ends. Rays that pass the apex of a face at a distance beyond all rounding need no side test.
 
 \tparam K a \cgal kernel. Its `FT` is a floating point type, or a model of `FieldWithSqrt`.
