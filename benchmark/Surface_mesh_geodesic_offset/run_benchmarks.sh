@@ -33,7 +33,7 @@ while [ $# -gt 0 ]; do
   esac
 done
 
-data=${GEODESIC_OFFSET_DATA_DIR:-$root/build/data/meshes}
+data=${GEODESIC_OFFSET_DATA_DIR:-$root/build-tests/data/meshes}
 cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release \
   -DGEODESIC_OFFSET_BUILD_TESTING=OFF -DGEODESIC_OFFSET_BUILD_EXAMPLES=OFF -DGEODESIC_OFFSET_BUILD_BENCHMARK=ON
 cmake --build "$build" -j "$jobs" --target size_ladder peers hard_meshes flat_meshes bounded_error tolerance_times tolerance_bounds tolerance_offsets certified_bounds \

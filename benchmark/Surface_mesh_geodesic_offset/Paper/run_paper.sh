@@ -39,7 +39,7 @@ cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release \
 cmake --build "$build" -j "$jobs" --target table_1_costs figure_1_sources figure_10_resolutions figure_11_spacings \
   figure_12_segmentation figure_13_contours figure_14_geodesics clean_mesh
 
-data=${GEODESIC_OFFSET_DATA_DIR:-$root/build/data/meshes}
+data=${GEODESIC_OFFSET_DATA_DIR:-$root/build-tests/data/meshes}
 are_defaults=
 if [ ${#models[@]} -eq 0 ]; then are_defaults=yes; fi
 
