@@ -12,6 +12,7 @@
 #include <CGAL/Gmpfr.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh_geodesic_offset/Surface_mesh_geodesic_enclosure.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_envelope.h>
 
 #include <algorithm>
 #include <cfenv>

@@ -27,13 +27,6 @@ typedef CGAL::Surface_mesh_geodesic_offset_traits<Kernel, test::Surface_mesh> Tr
 typedef CGAL::Geodesic_offset::internal::Window<double> Window;
 typedef Unfolded_mesh<double> Mesh;
 
-// The indices of the soup are those of the unfolded mesh.
-struct Same_numbers
-{
-  Index of_vertex(Index v) const { return v; }
-  Index of_face(Index f) const { return f; }
-};
-
 All_face_links links_of(const Soup& soup)
 {
   const Generated_mesh<test::Surface_mesh> data(soup);
@@ -49,7 +42,7 @@ Mesh unfolded(const Soup& soup, const All_face_links& links)
   for (Index f = 0; f < face_at.size(); ++f) face_at[f] = f;
   Single_worker alone;
   const std::vector<Point_3> points(soup.points.begin(), soup.points.end());
-  return Mesh(Same_numbers(), links, face_at, points, Traits(), alone);
+  return Mesh(Index_renumbering(points.size(), links.size()), links, face_at, points, Traits(), alone);
 }
 
 // Whether an assertion stops f, with the given condition in its text. Other exceptions are failures.

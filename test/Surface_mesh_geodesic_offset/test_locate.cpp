@@ -420,10 +420,10 @@ class Locators
 {
   typedef CGAL::Geodesic_mesh<CGAL::Surface_mesh_geodesic_offset_traits<Kernel, TriangleMesh>> Base;
   typedef CGAL::Geodesic_offset::internal::Mesh_access Access;
-  typedef CGAL::Geodesic_offset::internal::Surface_locator<CGAL::Geodesic_offset::internal::Surface_of<Base>> Locator;
+  typedef CGAL::Geodesic_offset::internal::Surface_locator<Kernel, double> Locator;
 
 public:
-  explicit Locators(const TriangleMesh& mesh) : mesh_(mesh), tree_(Access::data(mesh_).shared_surface)
+  explicit Locators(const TriangleMesh& mesh) : mesh_(mesh), tree_(Access::data(mesh_).unfolded(), Access::data(mesh_).surface())
   {
     tree_.expect(1000000);
   }
@@ -432,14 +432,20 @@ public:
   template <class Query>
   auto operator()(const Query& q, double tolerance)
   {
-    if (number_of_searches_++ % 50 == 0) search_ = std::make_unique<Locator>(Access::data(mesh_).shared_surface);
+    if (number_of_searches_++ % 50 == 0) search_ = std::make_unique<Locator>(Access::data(mesh_).unfolded(), Access::data(mesh_).surface());
     const auto result = tree_.locate(q, tolerance);
     CHECK(search_->locate(q, tolerance) == result);
-    return result;
+    return on_mesh(result);
   }
   double default_tolerance() const { return tree_.default_tolerance(); }
 
 private:
+  auto on_mesh(const typename Locator::Face_location& l) const { return Access::data(mesh_).surface().location(l); }
+  auto on_mesh(const std::optional<typename Locator::Face_location>& l) const
+  {
+    return l ? std::make_optional(on_mesh(*l)) : std::nullopt;
+  }
+
   Base mesh_;
   Locator tree_;
   std::unique_ptr<Locator> search_; // replaced before it builds a tree
