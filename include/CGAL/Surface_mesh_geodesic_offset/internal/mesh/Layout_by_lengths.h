@@ -45,7 +45,10 @@ public:
       for (std::size_t k = 0; k < 3; ++k)
       {
         const FT &a = result[k].length, &b = result[(k + 1) % 3].length, &c = result[(k + 2) % 3].length;
-        result[k].x = FT(FT(FT(c - b) * FT(c + b)) / a + a) / FT(2);
+        // (a^2 - b^2 + c^2) / 2a. With c much shorter than a, the second form would cancel and lose the direction of the apex; with
+        // a much shorter than c, the first one. Binding test: test_distance_errors, lengths.
+        if (c < a) result[k].x = FT(FT(FT(a - b) * FT(a + b)) + FT(c * c)) / FT(a + a);
+        else result[k].x = FT(FT(FT(c - b) * FT(c + b)) / a + a) / FT(2);
         result[k].y = area / a;
       }
       return result;
