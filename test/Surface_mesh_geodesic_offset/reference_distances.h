@@ -89,11 +89,8 @@ public:
 
   /// The triangles form a manifold with border and consistent orientation.
   Reference_distances(const std::vector<Point>& points, const std::vector<Triangle>& triangles)
-    : triangles_(triangles), sides_(triangles.size()), number_of_vertices_(points.size())
+    : Reference_distances(points.size(), triangles)
   {
-    std::map<std::pair<std::size_t, std::size_t>, std::pair<std::size_t, int>> side_of;
-    for (std::size_t f = 0; f < triangles.size(); ++f)
-      for (int k = 0; k < 3; ++k) side_of[{triangles[f][k], triangles[f][(k + 1) % 3]}] = {f, k};
     for (std::size_t f = 0; f < triangles.size(); ++f)
       for (int k = 0; k < 3; ++k)
       {
@@ -102,8 +99,22 @@ public:
         const Vector along = difference(points[q], points[p]), to_apex = difference(points[r], points[p]);
         s.length = root(dot(along, along));
         s.apex = {dot(along, to_apex) / s.length, root(square_of_area(points[p], points[q], points[r])) / s.length};
-        const auto beyond = side_of.find({q, p});
-        if (beyond != side_of.end()) s.beyond = beyond->second;
+      }
+  }
+
+  /// Overload for triangles by the lengths of their sides, from corner k to the next one. Sums of two lengths minus the third
+  /// one are exact if their ratio is less than 2^60.
+  Reference_distances(std::size_t number_of_vertices, const std::vector<Triangle>& triangles,
+                      const std::vector<std::array<double, 3>>& lengths)
+    : Reference_distances(number_of_vertices, triangles)
+  {
+    for (std::size_t f = 0; f < triangles.size(); ++f)
+      for (int k = 0; k < 3; ++k)
+      {
+        const Number a(lengths[f][k]), b(lengths[f][(k + 1) % 3]), c(lengths[f][(k + 2) % 3]);
+        const Number area = root((a + b + c) * (a + b - c) * (b + c - a) * (c + a - b)) / Number(2); // twice the area
+        sides_[f][k].length = a;
+        sides_[f][k].apex = {(a * a + (c + b) * (c - b)) / (Number(2) * a), area / a};
       }
   }
 
@@ -137,6 +148,20 @@ public:
   std::size_t number_of_vertices() const { return number_of_vertices_; }
 
 private:
+  // The sides without their shape
+  Reference_distances(std::size_t number_of_vertices, const std::vector<Triangle>& triangles)
+    : triangles_(triangles), sides_(triangles.size()), number_of_vertices_(number_of_vertices)
+  {
+    std::map<std::pair<std::size_t, std::size_t>, std::pair<std::size_t, int>> side_of;
+    for (std::size_t f = 0; f < triangles.size(); ++f)
+      for (int k = 0; k < 3; ++k) side_of[{triangles[f][k], triangles[f][(k + 1) % 3]}] = {f, k};
+    for (const auto& [corners, side] : side_of)
+    {
+      const auto beyond = side_of.find({corners.second, corners.first});
+      if (beyond != side_of.end()) sides_[side.first][side.second].beyond = beyond->second;
+    }
+  }
+
   typedef std::array<Number, 3> Vector;
 
   struct Query

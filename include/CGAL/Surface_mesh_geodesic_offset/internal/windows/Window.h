@@ -34,8 +34,7 @@ FT least_clear_distance()
 
 // Least distance of a vertex from its image, as a fraction of L, at which it does not hide the rays behind it; 2^-13 in double.
 // At a smaller distance r there is a gap of the angle 8 u L / r, and paths to points of other vertices in the gap go around its
-// ends. At this r the gap is 2^-10 sqrt(u) wide, 1e-11 in double. Binding test for twice the digits: test_graded_distances, columns
-// of points.
+// ends. At this r the gap is 2^-10 sqrt(u) wide, 1e-11 in double. Binding test: test_field_regressions, tie with a near image.
 template <class FT>
 FT least_hiding_distance()
 {
