@@ -341,8 +341,7 @@ public:
 
   /// computes the exact Voronoi diagram of the sources, from kept windows. The time is linear in the size of the mesh and the
   /// number of kept windows, plus \f$ O(n^3) \f$ in each crossed face for the \f$ n \f$ windows that may be nearest there;
-  /// faces with more than 12 of them are divided. If rounding makes bisectors inconsistent, the whole diagram is computed again
-  /// with twice the digits of `double`. The distances agree on both sides of the curves up to rounding; see
+  /// faces with more than 12 of them are divided. The distances agree on both sides of the curves up to rounding; see
   /// `Geodesic_voronoi_diagram` for its limits.
   /// \throws std::logic_error if the build kept no windows, or had a tolerance, or `covered_distance()` is finite
   Voronoi_diagram voronoi_diagram() const

@@ -201,16 +201,9 @@ the nearest source of this vertex, as `Geodesic_distance_field::source_labels()`
 distance is at most 2^-43 of the longest edge plus the largest distance of a vertex, and so do segments with such ends: rounding does
 not determine the direction of the curves between them.
 
-If rounding makes the bisectors inconsistent, or curves would be omitted, the whole diagram is computed again with twice the digits;
-generic sources do not need it. This takes some 10 to 40 times the time of the first diagram, and the memory of a build with kept
-windows of twice the size. It is done only if all of these hold:
-- the number type is `double`, with the functors of `Surface_mesh_geodesic_offset_traits`, and the rounding mode is to nearest;
-- it takes at most about two million comparisons of bisectors (ten to thirty seconds) plus 128 per face. Where fourteen segments
-  nearly cross at one point in a face, it takes 220,000.
-
-Otherwise, closed curves shorter than 1e-7 of the size of a face plus its distances are omitted, unless the surface inside is larger, as
-in a needle. In both cases, parts of cells that are narrower than 1e-11 of this size may be omitted, and curves may be wrong in or next
-to faces whose height is less than 1e-9 of their length.
+Closed curves shorter than 1.2e-7 of the size of a face plus its distances are omitted, unless the surface inside is larger, as in a
+needle. Parts of cells that are narrower than 1e-11 of this size may be omitted, and curves may be wrong in or next to faces whose
+height is less than 1e-9 of their length.
 
 Sources that share a vertex or a segment, or of which one starts with the distance from another one, may tie along a whole ray or
 edge. Beside it, their distances differ by the square of the distance from the ray. The curve may then run beside the ray, at points
