@@ -2,38 +2,55 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "mesh_input.h"
+#include "border_stitching.h"
 #include "memory_budget.h"
 #include "mesh_repair.h"
+#include "numbers.h"
 #include "polygon_links.h"
 #include "polygon_triangles.h"
 #include "soup_reader.h"
 
-#include <CGAL/Bbox_3.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
+#include <CGAL/Surface_mesh_geodesic_offset/remove_degenerate_faces_in_polygon_soup.h>
 #include <CGAL/boost/graph/helpers.h>
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <numeric>
+#include <optional>
 #include <set>
 
 namespace geodesic_offset {
 
-Mesh_input::Mesh_input(const std::string& path, bool join_borders) : m_soup(read_soup(path)), m_remarks(m_soup.remarks)
+Mesh_input::Mesh_input(const std::string& path, const Border_joining& joining) : Mesh_input(path, read_soup(path), joining) {}
+
+Mesh_input::Mesh_input(const std::string& path, Soup soup, const Border_joining& joining)
+  : m_soup(std::move(soup)), m_remarks(m_soup.remarks)
 {
   require_memory_for_faces(path);
   measure(path);
   Faces faces;
   clean_polygons(path, faces);
-  build(path, faces, join_borders);
+  build(path, faces, joining);
   map_vertices(faces);
   triangulate(path, faces);
-  Vertex_pairs copies = pairs_of_vertices(faces);
-  remove_faces_without_area(path, copies);
+  const Vertex_pairs copies = pairs_of_vertices(faces);
   flip_flat_caps();
   require_area_in_doubles(path);
   join(path, copies);
+  m_parts = Surface_parts(m_mesh);
+}
+
+bool Mesh_input::has_coinciding_border_edges() const
+{
+  std::vector<Point> points;
+  for(Vertex v : m_mesh.vertices()) points.push_back(m_mesh.point(v));
+  std::vector<std::array<std::uint32_t, 2>> border_edges;
+  for(Edge e : m_mesh.edges())
+    if(m_mesh.is_border(e)) border_edges.push_back({m_mesh.vertex(e, 0), m_mesh.vertex(e, 1)});
+  return Border_stitching(points, std::move(border_edges), 0).is_needed();
 }
 
 void Mesh_input::require_memory_for_faces(const std::string& path) const
@@ -49,10 +66,10 @@ void Mesh_input::require_memory_for_faces(const std::string& path) const
 
 void Mesh_input::measure(const std::string& path)
 {
-  CGAL::Bbox_3 box;
-  for(const Point& p : m_soup.points) box += p.bbox();
+  for(const Polygon& polygon : m_soup.polygons)
+    for(std::uint32_t v : polygon) m_box += m_soup.points[v].bbox();
   double square = 0;
-  for(int c = 0; c < 3; ++c) square += (box.max(c) - box.min(c)) * (box.max(c) - box.min(c));
+  for(int c = 0; c < 3; ++c) square += (m_box.max(c) - m_box.min(c)) * (m_box.max(c) - m_box.min(c));
   m_diagonal = std::sqrt(square);
   // squares of lengths, and products of two of these, must be within the range of double
   if(!(m_diagonal < 1e70) || (m_diagonal > 0 && m_diagonal < 1e-70))
@@ -107,21 +124,16 @@ void Mesh_input::clean_polygons(const std::string& path, Faces& faces)
   if(faces.names.empty()) throw Input_error(quoted(path) + ": no face has three different vertices");
 }
 
-void Mesh_input::build(const std::string& path, Faces& faces, bool join_borders)
+void Mesh_input::build(const std::string& path, Faces& faces, const Border_joining& joining)
 {
-  const std::size_t polygons_before = faces.names.size();
   faces.points = m_soup.points;
   faces.polygons = faces.names;
-  std::size_t added = make_manifold(path, faces);
-  const std::vector<Vertex> double_borders = join_borders ? vertices_of_double_borders(m_mesh) : std::vector<Vertex>();
-  if(!double_borders.empty())
-  {
-    const std::size_t before = number_of_border_edges(m_mesh);
-    merge(double_borders, faces);
-    added = make_manifold(path, faces);
-    const std::size_t after = number_of_border_edges(m_mesh);
-    if(after < before) m_remarks.push_back(counted((before - after) / 2, "pair") + " of border edges stitched");
-  }
+  std::optional<Polygon_links> links(std::in_place, faces.polygons, faces.points.size());
+  const bool is_stitched = joining.is_on && stitch(links->border_edges(), joining.tolerance, faces);
+  const bool is_repaired = remove_degenerate_faces(path, faces);
+  if(is_stitched || is_repaired) links.emplace(faces.polygons, faces.points.size());
+  const std::size_t polygons_before = faces.names.size();
+  const std::size_t added = make_manifold(path, faces, *links);
   if(faces.names.size() != polygons_before)
     m_remarks.push_back(counted(polygons_before - faces.names.size(), "repeated face") + " left out");
   const auto reversed = std::count(faces.is_reversed.begin(), faces.is_reversed.end(), true);
@@ -131,9 +143,70 @@ void Mesh_input::build(const std::string& path, Faces& faces, bool join_borders)
     m_remarks.push_back("cut where it is not an orientable manifold: " + counted(added, "vertex", "vertices") + " added");
 }
 
-std::size_t Mesh_input::make_manifold(const std::string& path, Faces& faces)
+bool Mesh_input::stitch(std::vector<std::array<std::uint32_t, 2>> border_edges, double tolerance, Faces& faces)
 {
-  if(make_mesh(faces)) return 0;
+  Border_stitching stitching(faces.points, std::move(border_edges), tolerance);
+  if(!stitching.is_needed()) return false;
+  faces.merged.resize(faces.points.size());
+  for(std::uint32_t i = 0; i < faces.merged.size(); ++i) faces.merged[i] = stitching(i);
+  for(Polygon& polygon : faces.polygons)
+    for(std::uint32_t& v : polygon) v = faces.merged[v];
+  std::string remark = counted(stitching.number_of_pairs(), "pair") + " of border edges stitched";
+  if(stitching.largest_gap() > 0) remark += ", with gaps of at most " + short_number(stitching.largest_gap());
+  m_remarks.push_back(remark);
+  return true;
+}
+
+bool Mesh_input::remove_degenerate_faces(const std::string& path, Faces& faces)
+{
+  const CGAL::Polygon_soup_repair repair = CGAL::remove_degenerate_faces_in_polygon_soup(faces.points, faces.polygons);
+  if(repair.polygon_indices.empty()) return false;
+  if(faces.polygons.empty()) throw Input_error(quoted(path) + ": no face has an area");
+
+  if(faces.merged.empty())
+  {
+    faces.merged.resize(faces.points.size());
+    std::iota(faces.merged.begin(), faces.merged.end(), std::uint32_t(0));
+  }
+  for(std::uint32_t& v : faces.merged) v = static_cast<std::uint32_t>(repair.point_indices[v]);
+  Faces repaired; // with the corners of the polygons before, where these are corners of a polygon
+  std::vector<bool> is_removed(faces.names.size(), true);
+  for(std::size_t i = 0; i < faces.polygons.size(); ++i)
+  {
+    const std::size_t origin = repair.polygon_indices[i];
+    is_removed[origin] = false;
+    Polygon name = faces.polygons[i];
+    for(std::uint32_t& v : name)
+      for(std::uint32_t corner : faces.names[origin])
+        if(faces.merged[corner] == v)
+        {
+          v = corner;
+          break;
+        }
+    repaired.add(faces.positions[origin], std::move(name));
+  }
+  const auto first = std::find(is_removed.begin(), is_removed.end(), true);
+  const auto removed = static_cast<std::size_t>(std::count(first, is_removed.end(), true));
+  std::vector<std::string> changes;
+  if(removed != 0)
+    changes.push_back(counted(removed, "face") + " without area removed (the first is face " +
+                      std::to_string(faces.positions[static_cast<std::size_t>(first - is_removed.begin())]) + ")");
+  if(repair.merged_points != 0) changes.push_back(counted(repair.merged_points, "vertex", "vertices") + " merged");
+  if(repair.flipped_faces != 0)
+    changes.push_back(counted(repair.flipped_faces, "vertex", "vertices") + " inserted into edges of neighbours");
+  if(repair.dropped_faces != 0) changes.push_back(counted(repair.dropped_faces, "face") + " at the border dropped");
+  std::string remark;
+  for(const std::string& change : changes) remark += (remark.empty() ? "" : ", ") + change;
+  if(!remark.empty()) m_remarks.push_back(remark);
+  faces.positions = std::move(repaired.positions);
+  faces.names = std::move(repaired.names);
+  faces.is_reversed = std::move(repaired.is_reversed);
+  return true;
+}
+
+std::size_t Mesh_input::make_manifold(const std::string& path, Faces& faces, const Polygon_links& links)
+{
+  if(make_mesh(faces, links)) return 0;
   drop_repeated_faces(faces);
   const std::vector<Polygon> before = faces.polygons;
   const std::size_t number_of_points = faces.points.size();
@@ -144,7 +217,8 @@ std::size_t Mesh_input::make_manifold(const std::string& path, Faces& faces)
     std::reverse(faces.names[i].begin(), faces.names[i].end());
     faces.is_reversed[i] = !faces.is_reversed[i];
   }
-  if(!make_mesh(faces)) throw Input_error(quoted(path) + ": the faces cannot be made a manifold");
+  if(!make_mesh(faces, Polygon_links(faces.polygons, faces.points.size())))
+    throw Input_error(quoted(path) + ": the faces cannot be made a manifold");
   return faces.points.size() - number_of_points - find_copies(faces, before, number_of_points);
 }
 
@@ -184,7 +258,7 @@ bool Mesh_input::is_same(const Polygon& before, const Polygon& after, const std:
   return true;
 }
 
-bool Mesh_input::make_mesh(Faces& faces)
+bool Mesh_input::make_mesh(Faces& faces, const Polygon_links& links)
 {
   std::vector<bool> used(faces.points.size(), false);
   std::size_t corners = 0;
@@ -193,13 +267,15 @@ bool Mesh_input::make_mesh(Faces& faces)
     for(std::uint32_t v : polygon) used[v] = true;
     corners += polygon.size();
   }
+  if(!links.is_manifold()) return false;
   m_mesh = Mesh();
   m_mesh.reserve(static_cast<Mesh::size_type>(faces.points.size()), static_cast<Mesh::size_type>(corners / 2 + 16),
                  static_cast<Mesh::size_type>(faces.polygons.size()));
   faces.vertices.assign(faces.points.size(), Mesh::null_vertex());
   for(std::size_t i = 0; i < faces.points.size(); ++i)
     if(used[i]) faces.vertices[i] = m_mesh.add_vertex(faces.points[i]);
-  return link_polygons(m_mesh, faces.polygons, faces.vertices) && !has_shared_vertex(m_mesh);
+  links.link(m_mesh, faces.polygons, faces.vertices);
+  return !has_shared_vertex(m_mesh);
 }
 
 void Mesh_input::drop_repeated_faces(Faces& faces)
@@ -222,26 +298,6 @@ void Mesh_input::drop_repeated_faces(Faces& faces)
   faces.positions.resize(kept);
 }
 
-void Mesh_input::merge(const std::vector<Vertex>& double_borders, Faces& faces) const
-{
-  std::vector<bool> is_double(m_mesh.number_of_vertices(), false);
-  for(Vertex v : double_borders) is_double[v] = true;
-  std::map<Point, std::uint32_t> at;
-  std::vector<std::uint32_t> merged(faces.points.size());
-  for(std::uint32_t i = 0; i < merged.size(); ++i)
-  {
-    const Vertex v = faces.vertices[i];
-    merged[i] = (v != Mesh::null_vertex() && is_double[v]) ? at.emplace(faces.points[i], i).first->second : i;
-  }
-  for(Polygon& polygon : faces.polygons)
-  {
-    Polygon result = polygon;
-    for(std::uint32_t& v : result) v = merged[v];
-    // a face with an edge of length zero keeps its own vertices, and is removed later as degenerate
-    if(!has_repetition(result)) polygon = std::move(result);
-  }
-}
-
 void Mesh_input::map_vertices(const Faces& faces)
 {
   std::set<std::pair<std::size_t, Vertex>> known;
@@ -257,6 +313,19 @@ void Mesh_input::map_vertices(const Faces& faces)
       else if(first != vertex && known.emplace(file_vertex, vertex).second)
         m_further_vertices.emplace(file_vertex, vertex);
     }
+  // corners of removed faces alone, merged with other vertices
+  for(std::size_t i = 0; i < faces.merged.size(); ++i)
+  {
+    const std::uint32_t other = faces.merged[i];
+    if(other == i || m_first_vertex[i] != Mesh::null_vertex()) continue;
+    std::vector<Vertex> vertices;
+    for_each_vertex_of(other, [&](Vertex v) { vertices.push_back(v); });
+    for(Vertex v : vertices)
+      if(v == vertices.front())
+        m_first_vertex[i] = v;
+      else
+        m_further_vertices.emplace(i, v);
+  }
 }
 
 void Mesh_input::triangulate(const std::string& path, const Faces& faces)
@@ -322,19 +391,6 @@ void Mesh_input::join(const std::string& path, const Vertex_pairs& copies)
   m_warning = quoted(path) + ": " + counted(shared.size(), "vertex is", "vertices are") +
               " shared by fans of faces that have no edge in common there (the first is vertex " + std::to_string(first) +
               "): paths pass through such a vertex from one fan into the others";
-}
-
-void Mesh_input::remove_faces_without_area(const std::string& path, Vertex_pairs& copies)
-{
-  const std::vector<Face> degenerate = degenerate_faces(m_mesh);
-  if(degenerate.empty()) return;
-  const std::string first = name_of(degenerate.front());
-  std::vector<Vertex> new_vertex;
-  if(!remove_degenerate_faces(m_mesh, degenerate, new_vertex))
-    throw Input_error(quoted(path) + ": " + first + " has no area and cannot be removed");
-  renumber_vertices(new_vertex);
-  for(auto& pair : copies) pair = {new_vertex[pair.first], new_vertex[pair.second]};
-  m_remarks.push_back(counted(degenerate.size(), "face") + " without area removed (the first is " + first + ")");
 }
 
 void Mesh_input::flip_flat_caps()

@@ -13,7 +13,12 @@
 #define GEODESIC_OFFSET_MESH_INPUT_H
 
 #include "common.h"
+#include "polygon_links.h"
+#include "surface_parts.h"
 
+#include <CGAL/Bbox_3.h>
+
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -23,6 +28,13 @@
 
 namespace geodesic_offset {
 
+// Which border edges become one edge.
+struct Border_joining
+{
+  bool is_on = true; // those at the same place
+  double tolerance = 0; // largest distance of points at the same place
+};
+
 // The mesh, with its relation to the file.
 class Mesh_input
 {
@@ -30,7 +42,9 @@ class Mesh_input
   Mesh m_mesh;
   std::vector<std::string> m_remarks;
   std::string m_warning;
+  CGAL::Bbox_3 m_box;
   double m_diagonal = 0;
+  Surface_parts m_parts;
 
   // Vertices of the mesh at a vertex of the file: none if no face uses it, several at a cut.
   std::vector<Vertex> m_first_vertex;
@@ -47,6 +61,9 @@ class Mesh_input
     std::vector<Polygon> polygons;
     std::vector<Vertex> vertices; // of the points
 
+    // For each vertex of the file the point with which it was merged, itself if with none; empty: all are themselves.
+    std::vector<std::uint32_t> merged;
+
     // Points added so that each has one fan, with the original point. Excludes points added by cuts.
     std::vector<std::pair<std::uint32_t, std::uint32_t>> copies;
 
@@ -59,15 +76,23 @@ class Mesh_input
   };
 
 public:
-  // join_borders: whether border edges at the same place become one edge.
-  Mesh_input(const std::string& path, bool join_borders);
+  // Throws Input_error.
+  Mesh_input(const std::string& path, const Border_joining& joining);
+
+  // `path`: for messages.
+  Mesh_input(const std::string& path, Soup soup, const Border_joining& joining);
   Mesh_input(Mesh_input&&) = default;
   Mesh_input(const Mesh_input&) = delete;
   Mesh_input& operator=(const Mesh_input&) = delete;
 
   const Soup& soup() const { return m_soup; }
   const Mesh& mesh() const { return m_mesh; }
+
+  // Of the vertices with faces.
+  const CGAL::Bbox_3& bounding_box() const { return m_box; }
   double bounding_box_diagonal() const { return m_diagonal; }
+
+  const Surface_parts& parts() const { return m_parts; }
 
   // Description of the changes, one line each.
   const std::vector<std::string>& remarks() const { return m_remarks; }
@@ -75,10 +100,15 @@ public:
   // One line on a condition that changes the meaning of distances; empty if there is none.
   const std::string& warning() const { return m_warning; }
 
+  // Whether the mesh has a vertex at a vertex of the file: a face with an area has it.
+  bool has_vertex(std::size_t file_vertex) const { return m_first_vertex[file_vertex] != Mesh::null_vertex(); }
+
+  bool has_coinciding_border_edges() const;
+
   template <class Function>
   void for_each_vertex_of(std::size_t file_vertex, const Function& function) const
   {
-    if(m_first_vertex[file_vertex] == Mesh::null_vertex()) return;
+    if(!has_vertex(file_vertex)) return;
     function(m_first_vertex[file_vertex]);
     const auto range = m_further_vertices.equal_range(file_vertex);
     for(auto it = range.first; it != range.second; ++it) function(it->second);
@@ -99,10 +129,17 @@ private:
 
   void clean_polygons(const std::string& path, Faces& faces);
 
-  void build(const std::string& path, Faces& faces, bool join_borders);
+  void build(const std::string& path, Faces& faces, const Border_joining& joining);
+
+  // Merges the ends of border edges at the same place. Parts that only touch at a vertex remain separate. Returns whether there
+  // are such edges.
+  bool stitch(std::vector<std::array<std::uint32_t, 2>> border_edges, double tolerance, Faces& faces);
+
+  // Returns whether there are such faces.
+  bool remove_degenerate_faces(const std::string& path, Faces& faces);
 
   // Gives each vertex one fan. Returns the number of vertices added along cuts.
-  std::size_t make_manifold(const std::string& path, Faces& faces);
+  std::size_t make_manifold(const std::string& path, Faces& faces, const Polygon_links& links);
 
   // Finds the copies of points with several fans and without cuts, by comparing polygons before and after the orientation.
   // Returns their number.
@@ -114,12 +151,9 @@ private:
 
   // Builds the mesh if the polygons are a manifold with one fan per vertex; returns whether they are. Much faster than a
   // separate test.
-  bool make_mesh(Faces& faces);
+  bool make_mesh(Faces& faces, const Polygon_links& links);
 
   static void drop_repeated_faces(Faces& faces);
-
-  // Merges vertices at the same place if they are in `double_borders`. Parts that only touch remain separate.
-  void merge(const std::vector<Vertex>& double_borders, Faces& faces) const;
 
   void map_vertices(const Faces& faces);
 
@@ -134,8 +168,6 @@ private:
 
   // Merges copies into one vertex.
   void join(const std::string& path, const Vertex_pairs& copies);
-
-  void remove_faces_without_area(const std::string& path, Vertex_pairs& copies);
 
   void flip_flat_caps();
 

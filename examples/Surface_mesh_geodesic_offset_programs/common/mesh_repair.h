@@ -8,19 +8,12 @@
 
 #include "common.h"
 
-#include <CGAL/Polygon_mesh_processing/border.h>
-#include <CGAL/Polygon_mesh_processing/connected_components.h>
-#include <CGAL/Polygon_mesh_processing/repair_degeneracies.h>
-#include <CGAL/Polygon_mesh_processing/shape_predicates.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
-#include <map>
 #include <utility>
 #include <vector>
 
@@ -93,93 +86,6 @@ inline std::vector<Vertex> join_vertices(Mesh& mesh, const std::vector<std::pair
   new_vertex.resize(joined.size());
   for(std::size_t i = 0; i < joined.size(); ++i) new_vertex[i] = at[root(Vertex(static_cast<Mesh::size_type>(i)))];
   return shared;
-}
-
-inline std::size_t number_of_border_edges(const Mesh& mesh)
-{
-  const auto edges = mesh.edges();
-  return static_cast<std::size_t>(std::count_if(edges.begin(), edges.end(), [&](Edge e) { return mesh.is_border(e); }));
-}
-
-// Ends of border edges that coincide with another border edge.
-inline std::vector<Vertex> vertices_of_double_borders(const Mesh& mesh)
-{
-  struct Border
-  {
-    Point p, q;
-    Edge edge;
-    bool operator<(const Border& b) const { return p < b.p || (p == b.p && q < b.q); }
-  };
-  std::vector<Border> borders;
-  for(Edge e : mesh.edges())
-    if(mesh.is_border(e))
-    {
-      const Point &p = mesh.point(mesh.vertex(e, 0)), &q = mesh.point(mesh.vertex(e, 1));
-      borders.push_back(q < p ? Border{q, p, e} : Border{p, q, e});
-    }
-  std::sort(borders.begin(), borders.end());
-  std::vector<Vertex> vertices;
-  for(std::size_t i = 0; i < borders.size(); ++i)
-    if((i > 0 && !(borders[i - 1] < borders[i])) || (i + 1 < borders.size() && !(borders[i] < borders[i + 1])))
-      for(int end : {0, 1}) vertices.push_back(mesh.vertex(borders[i].edge, static_cast<unsigned int>(end)));
-  return vertices;
-}
-
-inline std::vector<Face> degenerate_faces(const Mesh& mesh)
-{
-  std::vector<Face> faces;
-  for(Face f : mesh.faces())
-    if(CGAL::Polygon_mesh_processing::is_degenerate_triangle_face(f, mesh)) faces.push_back(f);
-  return faces;
-}
-
-// Invariants of flips and collapses: numbers of components and of borders, and the Euler characteristic.
-inline std::array<std::size_t, 3> shape_of(Mesh& mesh)
-{
-  auto part = mesh.add_property_map<Face, std::size_t>("f:part").first;
-  const std::size_t parts = CGAL::Polygon_mesh_processing::connected_components(mesh, part);
-  mesh.remove_property_map(part);
-  std::vector<Halfedge> borders;
-  CGAL::Polygon_mesh_processing::extract_boundary_cycles(mesh, std::back_inserter(borders));
-  return {parts, borders.size(), mesh.number_of_vertices() + mesh.number_of_faces() - mesh.number_of_edges()};
-}
-
-// Removes faces without area, which are folds of the file but not of the surface, by edge flips and, for coincident
-// vertices, by collapses. new_vertex[v] is the new vertex of v. Returns false on failure.
-inline bool remove_degenerate_faces(Mesh& mesh, const std::vector<Face>& degenerate, std::vector<Vertex>& new_vertex)
-{
-  const auto shape = shape_of(mesh);
-  auto old_vertex = mesh.add_property_map<Vertex, Vertex>("v:old").first;
-  std::vector<Point> points(mesh.number_of_vertices());
-  for(Vertex v : mesh.vertices())
-  {
-    old_vertex[v] = v;
-    points[v] = mesh.point(v);
-  }
-
-  CGAL::Polygon_mesh_processing::remove_degenerate_faces(degenerate, mesh);
-  for(Vertex v : mesh.vertices())
-    if(mesh.is_isolated(v)) mesh.remove_vertex(v);
-  mesh.collect_garbage();
-  if(mesh.number_of_faces() == 0 || has_shared_vertex(mesh) || shape_of(mesh) != shape || !degenerate_faces(mesh).empty())
-    return false;
-
-  new_vertex.assign(points.size(), Mesh::null_vertex());
-  std::map<Point, Vertex> at;
-  for(Vertex v : mesh.vertices())
-  {
-    if(old_vertex[v] != Mesh::null_vertex()) new_vertex[old_vertex[v]] = v;
-    at.emplace(mesh.point(v), v);
-  }
-  mesh.remove_property_map(old_vertex);
-  for(std::size_t v = 0; v < points.size(); ++v)
-    if(new_vertex[v] == Mesh::null_vertex())
-    {
-      const auto it = at.find(points[v]);
-      if(it == at.end()) return false;
-      new_vertex[v] = it->second;
-    }
-  return true;
 }
 
 // Whether the middle vertex of a face lies on its longest side in double precision: its height is below the rounding of the

@@ -59,8 +59,10 @@ private:
 
   void read_vertex()
   {
-    const auto name = [&] { return "vertex " + std::to_string(m_soup.points.size()); };
-    const double x = m_text.coordinate(name), y = m_text.coordinate(name), z = m_text.coordinate(name);
+    const std::size_t i = m_soup.points.size();
+    const auto name = [&] { return "vertex " + std::to_string(i); };
+    const auto [x, y, z] =
+      m_text.coordinates(name, [&](const std::string& message) { m_soup.not_finite.emplace_back(i, message); });
     m_soup.points.emplace_back(x, y, z); // a weight or a colour may follow
   }
 

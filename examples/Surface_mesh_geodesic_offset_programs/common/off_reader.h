@@ -126,7 +126,8 @@ private:
   {
     if(!m_text.find_word()) m_text.fail(missing("vertices", i, m_vertices));
     const auto name = [&] { return "vertex " + std::to_string(i); };
-    const double x = m_text.coordinate(name), y = m_text.coordinate(name), z = m_text.coordinate(name);
+    const auto [x, y, z] =
+      m_text.coordinates(name, [&](const std::string& message) { m_soup.not_finite.emplace_back(i, message); });
     double w = 1;
     if(m_is_homogeneous)
     {

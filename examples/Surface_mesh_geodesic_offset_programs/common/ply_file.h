@@ -154,6 +154,7 @@ public:
   // Position for messages: "line 7: " in a text, empty in a binary file.
   std::string where() const { return m_is_ascii ? "line " + std::to_string(m_text.line()) + ": " : std::string(); }
 
+  std::string message(const std::string& text) const { return m_text.message(text); }
   [[noreturn]] void fail(const std::string& text) const { m_text.fail(text); }
 
   // Number of bytes after the last row; trailing blanks of a text do not count.

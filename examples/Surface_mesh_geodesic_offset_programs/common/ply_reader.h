@@ -14,6 +14,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <string_view>
 
@@ -57,7 +58,8 @@ class Ply_reader
 
     void number(std::size_t property, double value)
     {
-      if(!std::isfinite(value)) fail(std::isnan(value) ? "nan" : "inf");
+      if(!std::isfinite(value) && is_first_not_finite())
+        m_soup.not_finite.emplace_back(m_row, m_reader.m_file.message(text(std::isnan(value) ? "nan" : "inf")));
       for(std::size_t c = 0; c < 3; ++c)
         if(m_columns[c] == property) m_coordinates[c] = value;
       if(++m_found == 3) m_soup.points.emplace_back(m_coordinates[0], m_coordinates[1], m_coordinates[2]);
@@ -65,16 +67,22 @@ class Ply_reader
 
     void word(std::size_t property, std::string_view word)
     {
-      double value = 0;
-      if(!parse_number(word, value)) fail(word);
+      double value = std::numeric_limits<double>::quiet_NaN();
+      if(!parse_number(word, value))
+      {
+        if(!is_not_finite(word)) m_reader.m_file.fail(text(word));
+        if(is_first_not_finite()) m_soup.not_finite.emplace_back(m_row, m_reader.m_file.message(text(word)));
+      }
       number(property, value);
     }
 
   private:
-    [[noreturn]] void fail(std::string_view word) const
+    bool is_first_not_finite() const { return m_soup.not_finite.empty() || m_soup.not_finite.back().first != m_row; }
+
+    std::string text(std::string_view word) const
     {
-      m_reader.m_file.fail(m_reader.m_file.where() + "vertex " + std::to_string(m_row) + " has the coordinate " +
-                           quoted_word(word) + ", which is not a finite number");
+      return m_reader.m_file.where() + "vertex " + std::to_string(m_row) + " has the coordinate " + quoted_word(word) +
+             ", which is not a finite number";
     }
   };
 

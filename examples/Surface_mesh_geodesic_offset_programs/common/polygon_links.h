@@ -10,6 +10,7 @@
 #include "common.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -32,8 +33,6 @@ struct Polygon_side
   bool has_edge_of(const Polygon_side& s) const { return low == s.low && high == s.high; }
 };
 
-constexpr std::uint32_t no_side = std::numeric_limits<std::uint32_t>::max();
-
 // Sorts the sides: into one range per low end, as most ends have few sides, then each range.
 inline void sort_sides(std::vector<Polygon_side>& sides, std::size_t number_of_vertices)
 {
@@ -48,70 +47,84 @@ inline void sort_sides(std::vector<Polygon_side>& sides, std::size_t number_of_v
   sides = std::move(sorted);
 }
 
-// For each side the side of another polygon with the opposite direction; no_side: none. Returns false if an edge has more than
-// two sides, or two of the same direction.
-inline bool find_opposite_sides(std::vector<Polygon_side>& sides, std::size_t number_of_vertices,
-                                std::vector<std::uint32_t>& opposite)
-{
-  opposite.assign(sides.size(), no_side);
-  sort_sides(sides, number_of_vertices);
-  for(std::size_t i = 1; i < sides.size(); ++i)
-  {
-    const Polygon_side &a = sides[i - 1], &b = sides[i];
-    if(!a.has_edge_of(b)) continue;
-    if(a.is_reversed == b.is_reversed || opposite[a.number] != no_side) return false;
-    opposite[a.number] = b.number;
-    opposite[b.number] = a.number;
-  }
-  return true;
-}
-
 } // namespace internal
 
-// Adds polygons with the indices of vertices, at[i] for index i, to a mesh without faces. Around a vertex, each fan of faces has
-// a border of its own. Returns false if an edge has more than two faces, or two that are not oriented alike; faces may be
-// missing then. Precondition: the vertices of a polygon are different.
-inline bool link_polygons(Mesh& mesh, const std::vector<Polygon>& polygons, const std::vector<Vertex>& at)
+// Sides of polygons, and which of them are the same edge. Polygons are neighbours at an edge if it has exactly two sides, with
+// opposite directions.
+class Polygon_links
 {
-  std::vector<internal::Polygon_side> sides;
-  for(const Polygon& polygon : polygons)
-    for(std::size_t k = 0; k < polygon.size(); ++k)
-    {
-      const std::uint32_t a = polygon[k], b = polygon[(k + 1) % polygon.size()];
-      sides.push_back({std::min(a, b), std::max(a, b), static_cast<std::uint32_t>(sides.size()), b < a});
-    }
-  std::vector<std::uint32_t> opposite;
-  if(!internal::find_opposite_sides(sides, at.size(), opposite)) return false;
+  static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
-  std::vector<Halfedge> halfedges(sides.size(), Mesh::null_halfedge());
-  std::size_t first = 0; // side of the polygon
-  for(const Polygon& polygon : polygons)
+  std::vector<internal::Polygon_side> m_sides; // sorted
+  std::vector<std::uint32_t> m_opposite; // by the number of the side
+  bool m_is_manifold = true;
+
+public:
+  Polygon_links(const std::vector<Polygon>& polygons, std::size_t number_of_vertices)
   {
-    const std::size_t n = polygon.size();
-    const Face face = mesh.add_face();
-    for(std::size_t k = 0; k < n; ++k)
+    for(const Polygon& polygon : polygons)
+      for(std::size_t k = 0; k < polygon.size(); ++k)
+      {
+        const std::uint32_t a = polygon[k], b = polygon[(k + 1) % polygon.size()];
+        m_sides.push_back({std::min(a, b), std::max(a, b), static_cast<std::uint32_t>(m_sides.size()), b < a});
+      }
+    internal::sort_sides(m_sides, number_of_vertices);
+    m_opposite.assign(m_sides.size(), none);
+    for(std::size_t i = 1; i < m_sides.size(); ++i)
     {
-      const std::uint32_t other = opposite[first + k];
-      const bool is_known = other != internal::no_side && halfedges[other] != Mesh::null_halfedge();
-      halfedges[first + k] =
-        is_known ? mesh.opposite(halfedges[other]) : mesh.add_edge(at[polygon[k]], at[polygon[(k + 1) % n]]);
-      mesh.set_face(halfedges[first + k], face);
-      mesh.set_halfedge(at[polygon[(k + 1) % n]], halfedges[first + k]);
+      const internal::Polygon_side &a = m_sides[i - 1], &b = m_sides[i];
+      if(!a.has_edge_of(b)) continue;
+      m_is_manifold = m_is_manifold && a.is_reversed != b.is_reversed && m_opposite[a.number] == none;
+      m_opposite[a.number] = b.number;
+      m_opposite[b.number] = a.number;
     }
-    for(std::size_t k = 0; k < n; ++k) mesh.set_next(halfedges[first + k], halfedges[first + (k + 1) % n]);
-    mesh.set_halfedge(face, halfedges[first + n - 1]);
-    first += n;
   }
-  for(Halfedge h : mesh.halfedges())
-    if(mesh.is_border(h))
+
+  // Whether no edge has more than two sides, or two of the same direction.
+  bool is_manifold() const { return m_is_manifold; }
+
+  // Edges with one side, sorted by their ends, which are sorted, too.
+  std::vector<std::array<std::uint32_t, 2>> border_edges() const
+  {
+    std::vector<std::array<std::uint32_t, 2>> edges;
+    for(const internal::Polygon_side& side : m_sides)
+      if(m_opposite[side.number] == none) edges.push_back({side.low, side.high});
+    return edges;
+  }
+
+  // Adds the polygons to a mesh without faces, with the vertex at[i] for the index i. Around a vertex, each fan of faces has a
+  // border of its own. Preconditions: is_manifold(); the vertices of a polygon are different.
+  void link(Mesh& mesh, const std::vector<Polygon>& polygons, const std::vector<Vertex>& at) const
+  {
+    std::vector<Halfedge> halfedges(m_sides.size(), Mesh::null_halfedge());
+    std::size_t first = 0; // side of the polygon
+    for(const Polygon& polygon : polygons)
     {
-      Halfedge next = mesh.opposite(h); // turned around the target of h until it has no face
-      while(!mesh.is_border(next)) next = mesh.opposite(mesh.prev(next));
-      mesh.set_next(h, next);
-      mesh.set_halfedge(mesh.target(h), h); // as Surface_mesh requires of vertices on the border
+      const std::size_t n = polygon.size();
+      const Face face = mesh.add_face();
+      for(std::size_t k = 0; k < n; ++k)
+      {
+        const std::uint32_t other = m_opposite[first + k];
+        const bool is_known = other != none && halfedges[other] != Mesh::null_halfedge();
+        halfedges[first + k] =
+          is_known ? mesh.opposite(halfedges[other]) : mesh.add_edge(at[polygon[k]], at[polygon[(k + 1) % n]]);
+        mesh.set_face(halfedges[first + k], face);
+        mesh.set_halfedge(at[polygon[(k + 1) % n]], halfedges[first + k]);
+      }
+      for(std::size_t k = 0; k < n; ++k) mesh.set_next(halfedges[first + k], halfedges[first + (k + 1) % n]);
+      mesh.set_halfedge(face, halfedges[first + n - 1]);
+      first += n;
     }
-  return true;
-}
+    for(Halfedge h : mesh.halfedges())
+      if(mesh.is_border(h))
+      {
+        Halfedge next = mesh.opposite(h); // turned around the target of h until it has no face
+        while(!mesh.is_border(next)) next = mesh.opposite(mesh.prev(next));
+        mesh.set_next(h, next);
+        mesh.set_halfedge(mesh.target(h), h); // as Surface_mesh requires of vertices on the border
+      }
+  }
+};
 
 } // namespace geodesic_offset
 

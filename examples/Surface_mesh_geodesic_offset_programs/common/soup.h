@@ -8,8 +8,10 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace geodesic_offset {
@@ -24,6 +26,9 @@ struct Soup
   std::vector<Point> points;
   std::vector<Polygon> polygons;
   std::vector<std::string> remarks; // parts of the file that were left out, one line each
+
+  // Vertices with a coordinate that is not finite, and a message for each: an error only if a face has the vertex.
+  std::vector<std::pair<std::size_t, std::string>> not_finite;
 };
 
 } // namespace geodesic_offset

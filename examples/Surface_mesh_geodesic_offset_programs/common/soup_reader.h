@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// From a mesh file to points and polygons: every coordinate is finite, every polygon has at least three corners, and every
-// corner is a point. Each format has a reader, which checks every count, type and index before it uses it.
+// From a mesh file to points and polygons: every polygon has at least three corners, and every corner is a point with finite
+// coordinates. Each format has a reader, which checks every count, type and index before it uses it.
 
 #ifndef GEODESIC_OFFSET_SOUP_READER_H
 #define GEODESIC_OFFSET_SOUP_READER_H
@@ -33,10 +33,6 @@ constexpr std::size_t most_corners = (std::size_t(1) << 32) / 6;
 // Checks common to all formats.
 inline void check_soup(const std::string& path, const Soup& soup)
 {
-  for(std::size_t i = 0; i < soup.points.size(); ++i)
-    for(int c = 0; c < 3; ++c)
-      if(!std::isfinite(soup.points[i][c]))
-        throw Input_error(quoted(path) + ": vertex " + std::to_string(i) + " has a coordinate that is not finite");
   std::size_t corners = 0;
   for(std::size_t i = 0; i < soup.polygons.size(); ++i)
   {
@@ -48,6 +44,15 @@ inline void check_soup(const std::string& path, const Soup& soup)
   if(soup.points.size() > most_corners || corners > most_corners)
     throw Input_error(quoted(path) + " has " + counted(soup.points.size(), "vertex", "vertices") + " and " +
                       counted(corners, "corner") + " of faces; the largest number of each is " + std::to_string(most_corners));
+  for(const Polygon& polygon : soup.polygons)
+    for(std::uint32_t v : polygon)
+    {
+      const Point& p = soup.points[v];
+      if(std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z())) continue;
+      for(const auto& [vertex, message] : soup.not_finite)
+        if(vertex == v) throw Input_error(message);
+      throw Input_error(quoted(path) + ": vertex " + std::to_string(v) + " has a coordinate that is not finite");
+    }
 }
 
 } // namespace internal

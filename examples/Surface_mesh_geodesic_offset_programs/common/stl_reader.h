@@ -194,8 +194,7 @@ private:
     for(std::uint32_t& v : polygon)
     {
       expect("vertex");
-      const double x = m_text.coordinate(name), y = m_text.coordinate(name), z = m_text.coordinate(name);
-      v = m_indices({x, y, z});
+      v = m_indices(m_text.coordinates(name, [](const std::string& message) { throw Input_error(message); }));
     }
     expect("endloop");
     expect("endfacet");

@@ -10,9 +10,11 @@
 #include "messages.h"
 #include "numbers.h"
 
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -125,7 +127,9 @@ public:
     return true;
   }
 
-  [[noreturn]] void fail(const std::string& text) const { throw Input_error("cannot read " + quoted(*m_path) + ": " + text); }
+  std::string message(const std::string& text) const { return "cannot read " + quoted(*m_path) + ": " + text; }
+
+  [[noreturn]] void fail(const std::string& text) const { throw Input_error(message(text)); }
 
   [[noreturn]] void fail_at(std::size_t line, const std::string& text) const
   {
@@ -134,15 +138,26 @@ public:
 
   [[noreturn]] void fail_here(const std::string& text) const { fail_at(m_line, text); }
 
-  // Reads a coordinate of an element, such as "vertex 3"; `name` returns the name.
-  template <class Name>
-  double coordinate(const Name& name)
+  // Reads the three coordinates of an element, such as "vertex 3"; `name` returns the name. Calls not_finite(message) for the first
+  // coordinate that is a number but not finite, which becomes NaN.
+  template <class Name, class Not_finite>
+  std::array<double, 3> coordinates(const Name& name, const Not_finite& not_finite)
   {
-    double value = 0;
-    if(read(value)) return value;
-    const std::string_view word = this->word();
-    fail_here(name() + (word.empty() ? " has fewer than three coordinates"
-                                     : " has the coordinate " + quoted_word(word) + ", which is not a finite number"));
+    std::array<double, 3> c{};
+    bool is_finite = true;
+    for(double& x : c)
+    {
+      if(read(x)) continue;
+      const std::string_view word = this->word();
+      const std::string text = "line " + std::to_string(m_line) + ": " + name() +
+                               (word.empty() ? " has fewer than three coordinates"
+                                             : " has the coordinate " + quoted_word(word) + ", which is not a finite number");
+      if(!is_not_finite(word)) fail(text);
+      if(is_finite) not_finite(message(text));
+      is_finite = false;
+      x = std::numeric_limits<double>::quiet_NaN();
+    }
+    return c;
   }
 
 private:

@@ -54,12 +54,7 @@ inline void require_unchanged_vertices(const Mesh_input& input, const std::strin
 inline std::size_t number_of_unused_vertices(const Mesh_input& input)
 {
   std::size_t unused = 0;
-  for(std::size_t i = 0; i < input.soup().points.size(); ++i)
-  {
-    bool is_used = false;
-    input.for_each_vertex_of(i, [&](Vertex) { is_used = true; });
-    unused += is_used ? 0 : 1;
-  }
+  for(std::size_t i = 0; i < input.soup().points.size(); ++i) unused += input.has_vertex(i) ? 0 : 1;
   return unused;
 }
 
@@ -68,7 +63,7 @@ inline void require_same_points(const Distance_table& table, const Mesh_input& i
 {
   const double most = 1e-4 * input.bounding_box_diagonal();
   for(std::size_t i = 0; i < table.points.size(); ++i)
-    if(!(std::sqrt(CGAL::squared_distance(table.points[i], input.soup().points[i])) <= most))
+    if(input.has_vertex(i) && !(std::sqrt(CGAL::squared_distance(table.points[i], input.soup().points[i])) <= most))
       throw Input_error(table.name + ": vertex " + std::to_string(i) + " is not where " + quoted(path) +
                         " has it; the order of the vertices must be the same");
 }

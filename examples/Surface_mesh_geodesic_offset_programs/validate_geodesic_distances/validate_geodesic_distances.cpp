@@ -8,7 +8,6 @@
 #include "common/common.h"
 #include "common/file_bytes.h"
 #include "common/mesh_input.h"
-#include "common/mesh_repair.h"
 #include "common/output_file.h"
 #include "common/program_main.h"
 #include "common/sources.h"
@@ -73,7 +72,7 @@ int validate(const Validation_options& options)
 {
   if(!options.per_vertex.empty()) Output_files::check(options.per_vertex);
   require_numbered_vertices(options.mesh);
-  const Mesh_input input(options.mesh, false);
+  const Mesh_input input(options.mesh, Border_joining{false, 0});
   require_unchanged_vertices(input, options.mesh);
   const Distance_table table = read_table(options, input); // before the long computation
   if(!input.warning().empty()) print_warning("validate_geodesic_distances", input.warning());
@@ -96,7 +95,7 @@ int validate(const Validation_options& options)
   for(const std::string& remark : input.remarks()) std::cout << "mesh: " << remark << '\n';
   if(const std::size_t unused = number_of_unused_vertices(input))
     std::cout << "mesh: " << counted(unused, "vertex", "vertices") << " without faces, infinitely far away\n";
-  if(!vertices_of_double_borders(input.mesh()).empty())
+  if(input.has_coinciding_border_edges())
     std::cout << "mesh: some border edges are at the same place; they are not joined\n";
   for(const std::string& remark : sources.remarks()) std::cout << "sources: " << remark << '\n';
   if(const std::string moved = sources.moved_points().remark(); !moved.empty()) std::cout << "sources: " << moved << '\n';

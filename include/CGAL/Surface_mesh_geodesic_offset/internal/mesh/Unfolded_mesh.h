@@ -73,6 +73,12 @@ public:
 
   bool has_area(Index face) const;
 
+  // Of one halfedge of a face.
+  static bool has_area(const FT& length, const FT& apex_y)
+  {
+    return length > FT(0) && Number_policy<FT>::is_finite(length) && apex_y > FT(0);
+  }
+
   // True if products of four lengths are within the range of the number type. Also true if the longest edge is zero or not
   // finite.
   bool has_usable_scale() const;
@@ -169,11 +175,6 @@ public:
   }
 
 private:
-  static bool has_area(const FT& length, const FT& apex_y)
-  {
-    return length > FT(0) && Number_policy<FT>::is_finite(length) && apex_y > FT(0);
-  }
-
   // Summary of a block of faces.
   struct Laid_out_faces
   {

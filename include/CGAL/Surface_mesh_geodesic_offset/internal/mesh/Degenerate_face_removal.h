@@ -1,0 +1,538 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Removal of degenerate faces from a polygon soup: the work of remove_degenerate_faces_in_polygon_soup().
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_MESH_DEGENERATE_FACE_REMOVAL_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_MESH_DEGENERATE_FACE_REMOVAL_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Unfolded_mesh.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Number_policy.h>
+
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <iterator>
+#include <limits>
+#include <numeric>
+#include <queue>
+#include <set>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+/*
+A triangle is degenerate if Unfolded_mesh rejects it (it has no area), or if it is a cap that rounding does not distinguish from a
+segment: the height of its middle vertex above its longest side is at most 64 units in the last place of the shorter of the two
+other sides. No ray from the middle vertex through the longest side has a width then.
+
+Two steps leave the surface as it is, except for displacements by rounding:
+
+1. Sides of length zero: their ends become one point. A polygon that has less than three corners then has no area; faces at its
+   two remaining sides become neighbours, as these sides become one edge.
+2. Caps: let ac be the longest side of a degenerate triangle and b the third corner, which lies on ac. The triangle is removed, and
+   every other polygon at the edge ac receives the corner b between a and c; a triangle acx becomes abx and bcx. So the neighbours
+   at ab, bc and ac become neighbours of each other along ab and bc. With one neighbour at ac this is an edge flip. Without
+   neighbours at ac the side is on the border, and the triangle is dropped.
+
+Degenerate triangles are taken in the order of their longest sides, the longest first. If triangles are exactly flat, all degenerate
+triangles at ac lie between a and c then, so they are replaced by shorter ones, and triangles with an area by triangles with an
+area.
+
+Termination: step 1 reduces the number of points. A step 2 removes the triple {a, b, c} from the soup: every polygon with this triple
+has the edge ac and b, so it loses its area. The triple is recorded, and no step 2 creates a triangle with a recorded triple; since
+there are finitely many triples of points, the number of steps is finite. As long as triangles are exactly flat, the longest sides
+of the triangles that are removed do not increase, and the triangles that replace a degenerate one are shorter, so no step 2 is
+refused. With rounding, a refused triangle stays if Unfolded_mesh accepts it; otherwise its shortest side is contracted, as in step 1.
+
+Triangles that have no area only because products of their lengths underflow, and that are no caps, also contract their shortest
+side.
+*/
+template <class Traits, class Point_of, class PolygonRange>
+class Degenerate_face_removal
+{
+  typedef typename Traits::FT FT;
+  typedef typename Traits::Point_3 Point_3;
+  typedef std::vector<Index> Corners;
+  typedef std::array<Index, 3> Triple; // sorted
+
+public:
+  // point_of(i): the point with the index i.
+  Degenerate_face_removal(std::size_t number_of_points, const Point_of& point_of, PolygonRange& polygons, const Traits& traits)
+    : m_number_of_points(number_of_points), m_point_of(point_of), m_polygons(polygons), m_traits(traits)
+  {
+  }
+
+  // True if a polygon of the range is degenerate, has less than three corners, or a side of length zero or a corner twice.
+  bool is_needed() const
+  {
+    for (std::size_t f = 0; f < m_polygons.size(); ++f)
+      if (is_degenerate(corners_of(f))) return true;
+    return false;
+  }
+
+  bool is_degenerate(const Corners& polygon) const
+  {
+    if (polygon.size() < 3 || has_repetition(polygon)) return true;
+    if (polygon.size() == 3) return !shape_of(polygon).is_good;
+    for (std::size_t k = 0; k < polygon.size(); ++k)
+      if (has_no_length(polygon[k], polygon[(k + 1) % polygon.size()])) return true;
+    return is_flat(polygon);
+  }
+
+  // Removes the degenerate faces.
+  void run()
+  {
+    m_root.resize(m_number_of_points);
+    std::iota(m_root.begin(), m_root.end(), Index(0));
+    m_origin.resize(m_polygons.size());
+    std::iota(m_origin.begin(), m_origin.end(), std::size_t(0));
+    m_is_alive.assign(m_polygons.size(), 1);
+    contract_sides_without_length();
+    for (std::size_t f = 0, n = m_polygons.size(); f < n; ++f) replace(f, parts_of(corners_of(f)));
+    collect_caps();
+    if (!m_queue.empty()) remove_caps();
+    compress();
+  }
+
+  // Index of the point into which a point has been merged, itself if it has not.
+  std::vector<std::size_t> merged_points()
+  {
+    std::vector<std::size_t> result(m_root.size());
+    for (Index v = 0; v < m_root.size(); ++v) result[v] = root(v);
+    return result;
+  }
+
+  // For each polygon, the index of the polygon of the input of which it is a part.
+  const std::vector<std::size_t>& origins() const { return m_origin; }
+
+  std::size_t number_of_merged_points() const { return m_merged_points; }
+  std::size_t number_of_collapsed_faces() const { return m_collapsed_faces; }
+  std::size_t number_of_flipped_faces() const { return m_flipped_faces; }
+  std::size_t number_of_dropped_faces() const { return m_dropped_faces; }
+
+private:
+  struct Shape
+  {
+    bool is_good = false;  // not degenerate
+    bool has_area = false; // as in Unfolded_mesh
+    bool is_cap = false;   // if degenerate
+    std::size_t longest = 0, shortest = 0; // sides, each numbered by its first corner
+    FT length = FT(0); // of the longest side
+  };
+
+  struct Cap
+  {
+    FT length; // of its longest side
+    std::size_t face;
+    Triple triple;
+
+    bool operator<(const Cap& cap) const
+    {
+      return length != cap.length ? length < cap.length : face > cap.face; // faces with equal lengths in their order
+    }
+  };
+
+  // Points of a triangle.
+  typedef std::array<Point_3, 3> Points;
+
+  Points points_of(const Corners& triangle) const
+  {
+    return {m_point_of(triangle[0]), m_point_of(triangle[1]), m_point_of(triangle[2])};
+  }
+
+  Shape shape_of(const Corners& triangle) const { return shape_of(points_of(triangle)); }
+
+  Shape shape_of(const Points& points) const
+  {
+    const auto apices = m_traits.construct_apices_2_object()(points[0], points[1], points[2]);
+    Shape shape;
+    shape.has_area = true;
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      shape.has_area &= Unfolded_mesh<FT>::has_area(apices[k].length, apices[k].y);
+      if (apices[k].length > apices[shape.longest].length) shape.longest = k;
+      if (apices[k].length < apices[shape.shortest].length) shape.shortest = k;
+    }
+    shape.length = apices[shape.longest].length;
+    shape.is_good = shape.has_area && apices[shape.longest].y > least_height(points, apices[shape.shortest].length);
+    if (!shape.is_good) shape.is_cap = shape.has_area || is_cap(points);
+    return shape;
+  }
+
+  // The height of a triangle with area at most which it is degenerate.
+  static FT least_height(const Points& points, const FT& shortest)
+  {
+    if constexpr (!Number_policy<FT>::is_inexact) return FT(0);
+    else
+    {
+      FT size(0);
+      for (const Point_3& p : points)
+        size = (std::max)({size, FT(CGAL::abs(p.x())), FT(CGAL::abs(p.y())), FT(CGAL::abs(p.z()))});
+      return (std::max)(FT(Number_policy<FT>::rounding(64) * shortest),
+                        (std::min)(FT(Number_policy<FT>::rounding(16) * size), FT(shortest / FT(1024))));
+    }
+  }
+
+  // Whether a triangle without area is a cap, independent of its size.
+  bool is_cap(const Points& points) const
+  {
+    if constexpr (!Number_policy<FT>::is_inexact) return true;
+    else
+    {
+      FT u[2][3], size(0);
+      for (int i = 0; i < 2; ++i)
+        for (int c = 0; c < 3; ++c)
+        {
+          u[i][c] = points[std::size_t(i) + 1][c] - points[0][c];
+          size = (std::max)(size, FT(CGAL::abs(u[i][c])));
+        }
+      if (!CGAL::is_positive(size)) return false;
+      const auto scaled = [&](int i) { return Point_3(u[i][0] / size, u[i][1] / size, u[i][2] / size); };
+      const auto apices = m_traits.construct_apices_2_object()(Point_3(FT(0), FT(0), FT(0)), scaled(0), scaled(1));
+      std::size_t longest = 0;
+      FT shortest = apices[0].length;
+      for (std::size_t k = 1; k < 3; ++k)
+      {
+        if (apices[k].length > apices[longest].length) longest = k;
+        shortest = (std::min)(shortest, apices[k].length);
+      }
+      const FT height = Number_policy<FT>::rounding(64) * shortest;
+      return is_square_normal(height) && !(apices[longest].y > height);
+    }
+  }
+
+  // Whether the square of a number is above the underflow range.
+  static bool is_square_normal(const FT& x)
+  {
+    if constexpr (std::numeric_limits<FT>::is_specialized) return x * x >= (std::numeric_limits<FT>::min)();
+    else return CGAL::is_positive(x);
+  }
+
+  bool has_no_length(Index v, Index w) const
+  {
+    const Point_3 p = m_point_of(v), q = m_point_of(w);
+    const FT x = q.x() - p.x(), y = q.y() - p.y(), z = q.z() - p.z();
+    return !CGAL::is_positive(FT(x * x + y * y + z * z));
+  }
+
+  // Whether all corners of a polygon are on one line: on that from the first corner to the farthest one.
+  bool is_flat(const Corners& polygon) const
+  {
+    const Point_3 p = m_point_of(polygon[0]);
+    const auto square = [&](Index v) {
+      const Point_3 q = m_point_of(v);
+      const FT x = q.x() - p.x(), y = q.y() - p.y(), z = q.z() - p.z();
+      return FT(x * x + y * y + z * z);
+    };
+    const Index farthest = *std::max_element(polygon.begin() + 1, polygon.end(),
+                                             [&](Index v, Index w) { return square(v) < square(w); });
+    return std::all_of(polygon.begin() + 1, polygon.end(),
+                       [&](Index v) { return v == farthest || !shape_of(Corners{polygon[0], farthest, v}).is_good; });
+  }
+
+  static bool has_repetition(const Corners& polygon)
+  {
+    for (std::size_t i = 0; i < polygon.size() && polygon.size() < 16; ++i)
+      if (std::find(polygon.begin(), polygon.begin() + std::ptrdiff_t(i), polygon[i]) != polygon.begin() + std::ptrdiff_t(i))
+        return true;
+    if (polygon.size() < 16) return false;
+    Corners sorted = polygon;
+    std::sort(sorted.begin(), sorted.end());
+    return std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end();
+  }
+
+  Corners corners_of(std::size_t face) const
+  {
+    Corners corners;
+    for (const auto& corner : m_polygons[face]) corners.push_back(Index(corner));
+    return corners;
+  }
+
+  // Union of points: a forest, whose roots have the smallest indices.
+  Index root(Index v)
+  {
+    while (m_root[v] != v) v = m_root[v] = m_root[m_root[v]];
+    return v;
+  }
+
+  // Returns the index that is no longer used.
+  Index merge(Index v, Index w)
+  {
+    v = root(v);
+    w = root(w);
+    if (v == w) return no_index;
+    ++m_merged_points;
+    m_root[(std::max)(v, w)] = (std::min)(v, w);
+    return (std::max)(v, w);
+  }
+
+  void contract_sides_without_length()
+  {
+    for (const auto& polygon : m_polygons)
+    {
+      if (polygon.size() < 2) continue;
+      Index previous = Index(*std::prev(polygon.end()));
+      for (const auto& corner : polygon)
+      {
+        if (Index(corner) != previous && has_no_length(previous, Index(corner))) merge(previous, Index(corner));
+        previous = Index(corner);
+      }
+    }
+  }
+
+  // The polygons without repeated corners, with at least three corners each, of which a polygon consists after merging points;
+  // flat polygons in triangles.
+  std::vector<Corners> parts_of(Corners polygon)
+  {
+    for (Index& v : polygon) v = root(v);
+    std::vector<Corners> parts, rest{std::move(polygon)};
+    while (!rest.empty())
+    {
+      Corners part = std::move(rest.back());
+      rest.pop_back();
+      if (part.size() < 3) continue;
+      if (has_repetition(part)) split_at_repetition(part, rest);
+      else if (part.size() > 3 && is_flat(part))
+        for (std::size_t k = 1; k + 1 < part.size(); ++k) parts.push_back({part[0], part[k], part[k + 1]});
+      else parts.push_back(std::move(part));
+    }
+    return parts;
+  }
+
+  static void split_at_repetition(const Corners& polygon, std::vector<Corners>& parts)
+  {
+    for (std::size_t j = 1; j < polygon.size(); ++j)
+    {
+      const auto end = polygon.begin() + std::ptrdiff_t(j), first = std::find(polygon.begin(), end, polygon[j]);
+      if (first == end) continue;
+      parts.emplace_back(first, end);
+      parts.emplace_back(polygon.begin(), first);
+      parts.back().insert(parts.back().end(), end, polygon.end());
+      return;
+    }
+  }
+
+  // Replaces a face by polygons; the first of these receives its index. Returns the indices.
+  std::vector<std::size_t> replace(std::size_t face, const std::vector<Corners>& parts)
+  {
+    std::vector<std::size_t> faces;
+    for (const Corners& part : parts)
+    {
+      faces.push_back(faces.empty() ? face : m_polygons.size());
+      if (faces.back() == face)
+      {
+        assign(m_polygons[face], part);
+        continue;
+      }
+      m_polygons.push_back(m_polygons[face]);
+      assign(m_polygons.back(), part);
+      m_origin.push_back(m_origin[face]);
+      m_is_alive.push_back(1);
+    }
+    if (parts.empty())
+    {
+      m_is_alive[face] = 0;
+      ++m_collapsed_faces;
+    }
+    return faces;
+  }
+
+  template <class Polygon>
+  static void assign(Polygon& polygon, const Corners& corners)
+  {
+    typedef typename std::iterator_traits<decltype(polygon.begin())>::value_type Corner;
+    if (polygon.size() != corners.size()) resize(polygon, corners.size(), 0);
+    std::transform(corners.begin(), corners.end(), polygon.begin(), [](Index v) { return Corner(v); });
+  }
+
+  template <class Polygon>
+  static auto resize(Polygon& polygon, std::size_t size, int) -> decltype(polygon.resize(size))
+  {
+    return polygon.resize(size);
+  }
+  template <class Polygon> // arrays of three corners, which stay triangles
+  static void resize(Polygon&, std::size_t, long)
+  {
+    CGAL_assertion_msg(false, "a polygon of fixed size that is not a triangle");
+  }
+
+  void collect_caps()
+  {
+    for (std::size_t f = 0; f < m_polygons.size(); ++f)
+      if (m_is_alive[f]) add_if_degenerate(f);
+  }
+
+  void add_if_degenerate(std::size_t face)
+  {
+    if (m_polygons[face].size() != 3) return;
+    const Corners triangle = corners_of(face);
+    const Shape shape = shape_of(triangle);
+    if (!shape.is_good) m_queue.push({shape.length, face, triple_of(triangle)});
+  }
+
+  static Triple triple_of(const Corners& triangle)
+  {
+    Triple triple{{triangle[0], triangle[1], triangle[2]}};
+    std::sort(triple.begin(), triple.end());
+    return triple;
+  }
+
+  void remove_caps()
+  {
+    find_faces_at_points();
+    while (!m_queue.empty())
+    {
+      const Cap cap = m_queue.top();
+      m_queue.pop();
+      if (!m_is_alive[cap.face] || m_polygons[cap.face].size() != 3) continue;
+      const Corners triangle = corners_of(cap.face);
+      if (triple_of(triangle) != cap.triple) continue; // an entry of a former polygon with this index
+      const Shape shape = shape_of(triangle);
+      if (!Number_policy<FT>::is_finite(shape.length)) continue;
+      if (shape.is_cap && remove_cap(cap, triangle, shape)) continue;
+      if (!shape.has_area) contract(triangle[shape.shortest], triangle[(shape.shortest + 1) % 3]);
+    }
+  }
+
+  // Step 2; returns false, and changes nothing, if a triangle of a recorded triple would result.
+  bool remove_cap(const Cap& cap, const Corners& triangle, const Shape& shape)
+  {
+    const Index a = triangle[shape.longest], c = triangle[(shape.longest + 1) % 3], b = triangle[(shape.longest + 2) % 3];
+    std::vector<std::pair<std::size_t, std::vector<Corners>>> changes;
+    for (const std::size_t g : faces_at_edge(a, c))
+      if (g != cap.face) changes.emplace_back(g, with_corner(corners_of(g), a, c, b));
+    for (const auto& change : changes)
+      for (const Corners& part : change.second)
+        if (part.size() == 3 && m_removed.count(triple_of(part))) return false;
+    m_removed.insert(cap.triple);
+    m_is_alive[cap.face] = 0;
+    ++(changes.empty() ? m_dropped_faces : m_flipped_faces);
+    for (const auto& change : changes) change_face(change.first, change.second);
+    return true;
+  }
+
+  // The polygon with a corner b on its side ac; a triangle in two parts.
+  std::vector<Corners> with_corner(Corners polygon, Index a, Index c, Index b)
+  {
+    const std::size_t n = polygon.size();
+    std::size_t k = 0;
+    while (!is_side(polygon[k], polygon[(k + 1) % n], a, c)) ++k;
+    std::rotate(polygon.begin(), polygon.begin() + std::ptrdiff_t((k + 1) % n), polygon.end());
+    polygon.push_back(b); // between the last corner and the first one
+    if (n == 3 && polygon[1] != b) return {{polygon[3], polygon[0], polygon[1]}, {polygon[3], polygon[1], polygon[2]}};
+    return parts_of(std::move(polygon));
+  }
+
+  static bool is_side(Index v, Index w, Index a, Index c) { return (v == a && w == c) || (v == c && w == a); }
+
+  void change_face(std::size_t face, const std::vector<Corners>& parts)
+  {
+    for (const std::size_t f : replace(face, parts))
+    {
+      for (const auto& corner : m_polygons[f]) m_more_faces_at[Index(corner)].push_back(f);
+      add_if_degenerate(f);
+    }
+  }
+
+  void contract(Index v, Index w)
+  {
+    const Index removed = merge(v, w);
+    if (removed == no_index) return;
+    for (const std::size_t f : faces_at(removed))
+      if (m_is_alive[f]) change_face(f, parts_of(corners_of(f)));
+  }
+
+  void find_faces_at_points()
+  {
+    m_first_face_at.assign(m_number_of_points + 1, 0);
+    for (std::size_t f = 0; f < m_polygons.size(); ++f)
+      if (m_is_alive[f])
+        for (const auto& corner : m_polygons[f]) ++m_first_face_at[std::size_t(corner) + 1];
+    std::partial_sum(m_first_face_at.begin(), m_first_face_at.end(), m_first_face_at.begin());
+    m_face_at.resize(m_first_face_at.back());
+    std::vector<std::size_t> next(m_first_face_at.begin(), m_first_face_at.end() - 1);
+    for (std::size_t f = 0; f < m_polygons.size(); ++f)
+      if (m_is_alive[f])
+        for (const auto& corner : m_polygons[f]) m_face_at[next[std::size_t(corner)]++] = f;
+  }
+
+  std::size_t number_of_entries_at(Index v) const
+  {
+    const auto more = m_more_faces_at.find(v);
+    return m_first_face_at[v + 1] - m_first_face_at[v] + (more == m_more_faces_at.end() ? 0 : more->second.size());
+  }
+
+  // The faces that have or had the point as a corner, each once.
+  std::vector<std::size_t> faces_at(Index v) const
+  {
+    std::vector<std::size_t> faces(m_face_at.begin() + std::ptrdiff_t(m_first_face_at[v]),
+                                   m_face_at.begin() + std::ptrdiff_t(m_first_face_at[v + 1]));
+    const auto more = m_more_faces_at.find(v);
+    if (more == m_more_faces_at.end()) return faces;
+    faces.insert(faces.end(), more->second.begin(), more->second.end());
+    std::sort(faces.begin(), faces.end());
+    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+    return faces;
+  }
+
+  std::vector<std::size_t> faces_at_edge(Index a, Index c) const
+  {
+    std::vector<std::size_t> faces;
+    for (const std::size_t f : faces_at(number_of_entries_at(a) < number_of_entries_at(c) ? a : c))
+    {
+      if (!m_is_alive[f]) continue;
+      Index previous = Index(*std::prev(m_polygons[f].end()));
+      for (const auto& corner : m_polygons[f])
+      {
+        if (is_side(previous, Index(corner), a, c)) faces.push_back(f);
+        previous = Index(corner);
+      }
+    }
+    return faces;
+  }
+
+  void compress()
+  {
+    std::size_t kept = 0;
+    for (std::size_t f = 0; f < m_polygons.size(); ++f)
+    {
+      if (!m_is_alive[f]) continue;
+      if (kept != f) std::swap(m_polygons[kept], m_polygons[f]);
+      m_origin[kept++] = m_origin[f];
+    }
+    m_polygons.resize(kept);
+    m_origin.resize(kept);
+  }
+
+  const std::size_t m_number_of_points;
+  const Point_of& m_point_of;
+  PolygonRange& m_polygons;
+  const Traits& m_traits;
+
+  std::vector<Index> m_root;
+  std::vector<std::size_t> m_origin;
+  std::vector<char> m_is_alive;
+  std::priority_queue<Cap> m_queue;
+  std::set<Triple> m_removed;
+
+  // Faces at points before step 2, and those that step 2 has added. Contain faces that no longer have the point.
+  std::vector<std::size_t> m_first_face_at, m_face_at;
+  std::unordered_map<Index, std::vector<std::size_t>> m_more_faces_at;
+
+  std::size_t m_merged_points = 0, m_collapsed_faces = 0, m_flipped_faces = 0, m_dropped_faces = 0;
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif
