@@ -313,19 +313,22 @@ void Mesh_input::map_vertices(const Faces& faces)
       else if(first != vertex && known.emplace(file_vertex, vertex).second)
         m_further_vertices.emplace(file_vertex, vertex);
     }
-  // corners of removed faces alone, merged with other vertices
+  if(faces.merged.empty()) return;
+  // vertices that only removed faces have, merged with others
+  std::multimap<std::uint32_t, std::size_t> alone; // by the point with which they were merged
   for(std::size_t i = 0; i < faces.merged.size(); ++i)
-  {
-    const std::uint32_t other = faces.merged[i];
-    if(other == i || m_first_vertex[i] != Mesh::null_vertex()) continue;
-    std::vector<Vertex> vertices;
-    for_each_vertex_of(other, [&](Vertex v) { vertices.push_back(v); });
-    for(Vertex v : vertices)
-      if(v == vertices.front())
-        m_first_vertex[i] = v;
-      else
-        m_further_vertices.emplace(i, v);
-  }
+    if(!has_vertex(i)) alone.emplace(faces.merged[i], i);
+  std::vector<std::pair<std::size_t, Vertex>> found;
+  for(std::size_t i = 0; i < faces.merged.size(); ++i)
+    for(auto [it, end] = alone.equal_range(faces.merged[i]); it != end; ++it)
+      for_each_vertex_of(i, [&, file_vertex = it->second](Vertex v) {
+        if(known.emplace(file_vertex, v).second) found.emplace_back(file_vertex, v);
+      });
+  for(const auto& [file_vertex, v] : found)
+    if(has_vertex(file_vertex))
+      m_further_vertices.emplace(file_vertex, v);
+    else
+      m_first_vertex[file_vertex] = v;
 }
 
 void Mesh_input::triangulate(const std::string& path, const Faces& faces)

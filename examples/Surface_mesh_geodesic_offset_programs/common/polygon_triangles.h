@@ -10,12 +10,11 @@
 #include "common.h"
 
 #include <CGAL/Polygon_2_algorithms.h>
-#include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
 #include <CGAL/Projection_traits_3.h>
-#include <CGAL/utility.h>
 
+#include <array>
+#include <cmath>
 #include <cstddef>
-#include <iterator>
 #include <vector>
 
 namespace geodesic_offset {
@@ -47,20 +46,46 @@ inline bool is_simple(const Polygon& polygon, const std::vector<Point>& points)
   return normal != CGAL::NULL_VECTOR && CGAL::is_simple_2(p.begin(), p.end(), CGAL::Projection_traits_3<Kernel>(normal));
 }
 
-// Triangulation with the smallest dihedral angles and the smallest area. A fan if all triangles are degenerate, or if the
-// polygon is large, since the time is cubic in its size.
+// Triangulation with the smallest area: the parts that a polygon covers twice, such as spikes, become triangles without area. A fan
+// if the polygon is large, since the time is cubic in its size.
 inline std::vector<Polygon> triangles_of(const Polygon& polygon, const std::vector<Point>& points)
 {
-  using Triangle = CGAL::Triple<int, int, int>;
+  const std::size_t n = polygon.size();
   constexpr std::size_t largest = 300; // corners: about a second
-  std::vector<Triangle> corners;
-  if(polygon.size() <= largest)
-    CGAL::Polygon_mesh_processing::triangulate_hole_polyline(internal::corners_of(polygon, points), std::back_inserter(corners));
-  if(corners.empty())
-    for(int i = 1; i + 1 < static_cast<int>(polygon.size()); ++i) corners.push_back(Triangle(0, i, i + 1));
-  const auto vertex = [&](int corner) { return polygon[static_cast<std::size_t>(corner)]; };
   std::vector<Polygon> triangles;
-  for(const Triangle& t : corners) triangles.push_back({vertex(t.first), vertex(t.second), vertex(t.third)});
+  if(n > largest)
+  {
+    for(std::size_t k = 1; k + 1 < n; ++k) triangles.push_back({polygon[0], polygon[k], polygon[k + 1]});
+    return triangles;
+  }
+  const std::vector<Point> p = internal::corners_of(polygon, points);
+  // for the corners from i to j, the smallest area, and the corner k of the triangle at their diagonal ij
+  std::vector<double> area(n * n, 0);
+  std::vector<std::size_t> third(n * n, 0);
+  for(std::size_t j = 2; j < n; ++j)
+    for(std::size_t i = j - 1; i-- > 0;)
+    {
+      area[i * n + j] = infinity;
+      for(std::size_t k = i + 1; k < j; ++k)
+      {
+        const double triangle = std::sqrt(internal::area_vector(p[i], p[k], p[j]).squared_length());
+        const double sum = area[i * n + k] + area[k * n + j] + triangle;
+        if(!(sum < area[i * n + j])) continue;
+        area[i * n + j] = sum;
+        third[i * n + j] = k;
+      }
+    }
+  std::vector<std::array<std::size_t, 2>> diagonals{{0, n - 1}};
+  while(!diagonals.empty())
+  {
+    const auto [i, j] = diagonals.back();
+    diagonals.pop_back();
+    if(j - i < 2) continue;
+    const std::size_t k = third[i * n + j];
+    triangles.push_back({polygon[i], polygon[k], polygon[j]});
+    diagonals.push_back({i, k});
+    diagonals.push_back({k, j});
+  }
   return triangles;
 }
 

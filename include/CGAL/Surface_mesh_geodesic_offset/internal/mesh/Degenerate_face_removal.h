@@ -85,7 +85,7 @@ public:
     if (polygon.size() == 3) return !shape_of(polygon).is_good;
     for (std::size_t k = 0; k < polygon.size(); ++k)
       if (has_no_length(polygon[k], polygon[(k + 1) % polygon.size()])) return true;
-    return is_flat(polygon);
+    return spike_of(polygon) != polygon.size();
   }
 
   // Removes the degenerate faces.
@@ -96,6 +96,7 @@ public:
     m_origin.resize(m_polygons.size());
     std::iota(m_origin.begin(), m_origin.end(), std::size_t(0));
     m_is_alive.assign(m_polygons.size(), 1);
+    m_is_degenerate.assign(m_polygons.size(), 0);
     contract_sides_without_length();
     for (std::size_t f = 0, n = m_polygons.size(); f < n; ++f) replace(f, parts_of(corners_of(f)));
     collect_caps();
@@ -124,7 +125,7 @@ private:
   {
     bool is_good = false;  // not degenerate
     bool has_area = false; // as in Unfolded_mesh
-    bool is_cap = false;   // if degenerate
+    bool is_cap = false;   // not a needle
     std::size_t longest = 0, shortest = 0; // sides, each numbered by its first corner
     FT length = FT(0); // of the longest side
   };
@@ -163,8 +164,9 @@ private:
       if (apices[k].length < apices[shape.shortest].length) shape.shortest = k;
     }
     shape.length = apices[shape.longest].length;
-    shape.is_good = shape.has_area && apices[shape.longest].y > least_height(points, apices[shape.shortest].length);
-    if (!shape.is_good) shape.is_cap = shape.has_area || is_cap(points);
+    const FT shortest = apices[shape.shortest].length, height = apices[shape.longest].y;
+    shape.is_good = shape.has_area && height > least_height(points, shortest);
+    shape.is_cap = shape.has_area ? !(height > cap_ratio() * shortest) : is_cap(points);
     return shape;
   }
 
@@ -174,13 +176,18 @@ private:
     if constexpr (!Number_policy<FT>::is_inexact) return FT(0);
     else
     {
-      FT size(0);
-      for (const Point_3& p : points)
-        size = (std::max)({size, FT(CGAL::abs(p.x())), FT(CGAL::abs(p.y())), FT(CGAL::abs(p.z()))});
-      return (std::max)(FT(Number_policy<FT>::rounding(64) * shortest),
-                        (std::min)(FT(Number_policy<FT>::rounding(16) * size), FT(shortest / FT(1024))));
+      const FT size = (std::max)({size_of(points[0]), size_of(points[1]), size_of(points[2])});
+      return (std::max)(FT(Number_policy<FT>::rounding(64) * shortest), FT(coordinate_rounding() * size));
     }
   }
+
+  // Relative to the largest coordinate.
+  static FT coordinate_rounding() { return Number_policy<FT>::rounding(16); }
+
+  static FT size_of(const Point_3& p) { return (std::max)({FT(CGAL::abs(p.x())), FT(CGAL::abs(p.y())), FT(CGAL::abs(p.z()))}); }
+
+  // The height of a cap is at most this part of its shortest side.
+  static FT cap_ratio() { return FT(1) / FT(8); }
 
   // Whether a triangle without area is a cap, independent of its size.
   bool is_cap(const Points& points) const
@@ -205,7 +212,7 @@ private:
         if (apices[k].length > apices[longest].length) longest = k;
         shortest = (std::min)(shortest, apices[k].length);
       }
-      const FT height = Number_policy<FT>::rounding(64) * shortest;
+      const FT height = cap_ratio() * shortest;
       return is_square_normal(height) && !(apices[longest].y > height);
     }
   }
@@ -217,26 +224,31 @@ private:
     else return CGAL::is_positive(x);
   }
 
+  // Whether two points are the same up to rounding of their coordinates.
   bool has_no_length(Index v, Index w) const
   {
     const Point_3 p = m_point_of(v), q = m_point_of(w);
-    const FT x = q.x() - p.x(), y = q.y() - p.y(), z = q.z() - p.z();
-    return !CGAL::is_positive(FT(x * x + y * y + z * z));
+    const FT x = q.x() - p.x(), y = q.y() - p.y(), z = q.z() - p.z(), square = x * x + y * y + z * z;
+    if constexpr (!Number_policy<FT>::is_inexact) return !CGAL::is_positive(square);
+    else
+    {
+      const FT length = coordinate_rounding() * (std::max)(size_of(p), size_of(q));
+      return !CGAL::is_positive(square) || square <= length * length;
+    }
   }
 
-  // Whether all corners of a polygon are on one line: on that from the first corner to the farthest one.
-  bool is_flat(const Corners& polygon) const
+  // A corner of a polygon with more than three corners that is the end of a fold: both sides there have the same direction. The number
+  // of corners if there is none.
+  std::size_t spike_of(const Corners& polygon) const
   {
-    const Point_3 p = m_point_of(polygon[0]);
-    const auto square = [&](Index v) {
-      const Point_3 q = m_point_of(v);
-      const FT x = q.x() - p.x(), y = q.y() - p.y(), z = q.z() - p.z();
-      return FT(x * x + y * y + z * z);
-    };
-    const Index farthest = *std::max_element(polygon.begin() + 1, polygon.end(),
-                                             [&](Index v, Index w) { return square(v) < square(w); });
-    return std::all_of(polygon.begin() + 1, polygon.end(),
-                       [&](Index v) { return v == farthest || !shape_of(Corners{polygon[0], farthest, v}).is_good; });
+    const std::size_t n = polygon.size();
+    std::size_t k = 0;
+    for (; k < n; ++k)
+    {
+      const Shape shape = shape_of(Corners{polygon[(k + n - 1) % n], polygon[k], polygon[(k + 1) % n]});
+      if (!shape.is_good && shape.is_cap && shape.longest != 2) break;
+    }
+    return k;
   }
 
   static bool has_repetition(const Corners& polygon)
@@ -289,8 +301,8 @@ private:
     }
   }
 
-  // The polygons without repeated corners, with at least three corners each, of which a polygon consists after merging points;
-  // flat polygons in triangles.
+  // The polygons without repeated corners and spikes, with at least three corners each, of which a polygon consists after merging
+  // points; spikes are triangles.
   std::vector<Corners> parts_of(Corners polygon)
   {
     for (Index& v : polygon) v = root(v);
@@ -300,10 +312,17 @@ private:
       Corners part = std::move(rest.back());
       rest.pop_back();
       if (part.size() < 3) continue;
-      if (has_repetition(part)) split_at_repetition(part, rest);
-      else if (part.size() > 3 && is_flat(part))
-        for (std::size_t k = 1; k + 1 < part.size(); ++k) parts.push_back({part[0], part[k], part[k + 1]});
-      else parts.push_back(std::move(part));
+      if (has_repetition(part))
+      {
+        split_at_repetition(part, rest);
+        continue;
+      }
+      for (std::size_t n = part.size(), k; n > 3 && (k = spike_of(part)) != n; --n)
+      {
+        parts.push_back({part[(k + n - 1) % n], part[k], part[(k + 1) % n]});
+        part.erase(part.begin() + std::ptrdiff_t(k));
+      }
+      parts.push_back(std::move(part));
     }
     return parts;
   }
@@ -337,6 +356,7 @@ private:
       assign(m_polygons.back(), part);
       m_origin.push_back(m_origin[face]);
       m_is_alive.push_back(1);
+      m_is_degenerate.push_back(m_is_degenerate[face]);
     }
     if (parts.empty())
     {
@@ -376,7 +396,8 @@ private:
     if (m_polygons[face].size() != 3) return;
     const Corners triangle = corners_of(face);
     const Shape shape = shape_of(triangle);
-    if (!shape.is_good) m_queue.push({shape.length, face, triple_of(triangle)});
+    if (!shape.is_good) m_is_degenerate[face] = 1;
+    if (m_is_degenerate[face]) m_queue.push({shape.length, face, triple_of(triangle)});
   }
 
   static Triple triple_of(const Corners& triangle)
@@ -398,8 +419,9 @@ private:
       if (triple_of(triangle) != cap.triple) continue; // an entry of a former polygon with this index
       const Shape shape = shape_of(triangle);
       if (!Number_policy<FT>::is_finite(shape.length)) continue;
-      if (shape.is_cap && remove_cap(cap, triangle, shape)) continue;
-      if (!shape.has_area) contract(triangle[shape.shortest], triangle[(shape.shortest + 1) % 3]);
+      const bool is_refused = shape.is_cap && !remove_cap(cap, triangle, shape);
+      if (!shape.is_cap || (is_refused && !shape.has_area))
+        contract(triangle[shape.shortest], triangle[(shape.shortest + 1) % 3]);
     }
   }
 
@@ -520,7 +542,7 @@ private:
 
   std::vector<Index> m_root;
   std::vector<std::size_t> m_origin;
-  std::vector<char> m_is_alive;
+  std::vector<char> m_is_alive, m_is_degenerate;
   std::priority_queue<Cap> m_queue;
   std::set<Triple> m_removed;
 
