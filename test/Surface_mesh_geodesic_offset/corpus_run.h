@@ -140,14 +140,14 @@ private:
       write_off(path, Search_meshes::kinds()[seed_ % number_of_meshes(options_)].second(random_));
     }
     else path = options_.files[seed_ % number_of_meshes(options_)].string();
-    geodesic_offset::Mesh_input input(path, true);
+    geodesic_offset::Mesh_input input(path, geodesic_offset::Border_joining{});
     const std::size_t k = perturbation(options_, seed_);
     if (k == 0) return input;
     Soup soup = soup_of(input.mesh());
     Perturbations::all()[k].second(soup, random_);
     path = folder_ + "/perturbed.off";
     write_off(path, soup);
-    return geodesic_offset::Mesh_input(path, true);
+    return geodesic_offset::Mesh_input(path, geodesic_offset::Border_joining{});
   }
 
   static void write_off(const std::string& path, const Soup& soup)

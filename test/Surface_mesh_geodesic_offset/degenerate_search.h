@@ -50,8 +50,8 @@ public:
 
   std::vector<Point_3> points;
   std::vector<Triangle> triangles;
-  std::vector<bool> is_flat;    // faces that were added
-  std::vector<bool> on_surface; // vertices that are points of the surface, not only of loose faces
+  std::vector<bool> is_flat;      // faces that were added
+  std::vector<bool> on_surface;   // vertices that are points of the surface, not only of loose faces
   std::vector<bool> is_displaced; // vertices beside the place of a vertex by rounding
   std::map<std::string, std::size_t> added;
 
@@ -312,7 +312,8 @@ private:
     std::size_t turns = 0;
     for (std::size_t k = 0; k < 4; ++k)
     {
-      const Vector_3 u = points[polygon[(k + 1) % 4]] - points[polygon[k]], v = points[polygon[(k + 2) % 4]] - points[polygon[(k + 1) % 4]];
+      const Vector_3 u = points[polygon[(k + 1) % 4]] - points[polygon[k]],
+                     v = points[polygon[(k + 2) % 4]] - points[polygon[(k + 1) % 4]];
       if (u.squared_length() < 1e-20 || (u + v).squared_length() < 1e-20) return false;
       if (CGAL::cross_product(u, v).squared_length() > 1e-20 * u.squared_length() * v.squared_length()) return false;
       turns += u * v < 0 ? 1 : 0;
@@ -529,7 +530,8 @@ private:
     for (const auto& polygon : polygons_)
     {
       out << "facet normal 0 0 0\nouter loop\n";
-      for (const std::size_t v : polygon) out << "vertex " << points_[v].x() << ' ' << points_[v].y() << ' ' << points_[v].z() << '\n';
+      for (const std::size_t v : polygon)
+        out << "vertex " << points_[v].x() << ' ' << points_[v].y() << ' ' << points_[v].z() << '\n';
       out << "endloop\nendfacet\n";
     }
     out << "endsolid a\n";
@@ -654,7 +656,8 @@ private:
     for (const auto& t : soup.triangles)
     {
       const Point_3 &p = soup.points[t[0]], &q = soup.points[t[1]], &r = soup.points[t[2]];
-      const double longest = (std::max)({CGAL::squared_distance(p, q), CGAL::squared_distance(q, r), CGAL::squared_distance(r, p)});
+      const double longest =
+        (std::max)({CGAL::squared_distance(p, q), CGAL::squared_distance(q, r), CGAL::squared_distance(r, p)});
       if (!(CGAL::cross_product(q - p, r - p).squared_length() > 1e-4 * longest * longest)) return false;
     }
     return true;
@@ -689,8 +692,7 @@ private:
     counts.flat_faces += std::size_t(std::count(clusters.is_flat.begin(), clusters.is_flat.end(), true));
     try
     {
-      geodesic_offset::Soup read =
-        geodesic_offset::parse_soup(geodesic_offset::mesh_format(file.name), file.name, file.bytes);
+      geodesic_offset::Soup read = geodesic_offset::parse_soup(geodesic_offset::mesh_format(file.name), file.name, file.bytes);
       const geodesic_offset::Mesh_input input(file.name, std::move(read), geodesic_offset::Border_joining{});
       compare(data, geodesic, sources, clusters, input, as_soup || is_stl, counts, file);
     }
@@ -749,9 +751,9 @@ private:
         last_ = "vertex " + std::to_string(v) + " is missing";
         continue;
       }
-      const double expected = v < data.vertices.size()
-                                ? geodesic.distance_to_sources(data.vertices[v])
-                                : geodesic.distance_to_sources(geodesic.mesh().locate(clusters.points[v]));
+      const double expected =
+        v < data.vertices.size() ? geodesic.distance_to_sources(data.vertices[v])
+                                 : geodesic.distance_to_sources(geodesic.mesh().locate(clusters.points[v]));
       for (auto it = range.first; it != range.second; ++it)
         input.for_each_vertex_of(it->second, [&](geodesic_offset::Vertex w) {
           const double d = repaired.distance_to_sources(w);

@@ -339,7 +339,10 @@ void messages()
     return std::find(c.begin(), c.end(), corners[0]) != c.end();
   });
   const std::string number = std::to_string((*first).idx());
-  CHECK_DETAIL(text == start + "face " + number + " is degenerate or has a coordinate that is not finite", text);
+  CHECK_DETAIL(text == start + "face " + number +
+                         " is degenerate or has a coordinate that is not finite; "
+                         "CGAL::remove_degenerate_faces_in_polygon_soup() removes degenerate faces",
+               text);
 }
 
 void certified_bounds()

@@ -30,8 +30,8 @@ int run(const test::Seed_range_options& options)
   for (const auto& c : search.counts())
   {
     const test::Degenerate_counts& n = c.second;
-    std::printf("| %s | %zu | %zu | %zu | %zu | %zu | %.2g |\n", c.first.c_str(), n.files, n.flat_faces, n.refused, n.wrong, n.missing,
-                n.worst);
+    std::printf("| %s | %zu | %zu | %zu | %zu | %zu | %.2g |\n", c.first.c_str(), n.files, n.flat_faces, n.refused, n.wrong,
+                n.missing, n.worst);
     faults += n.refused + n.wrong + n.missing;
   }
   for (const auto& entry : search.added()) std::printf("%s: %zu\n", entry.first.c_str(), entry.second);

@@ -22,6 +22,13 @@
 
 namespace geodesic_offset {
 
+// Which border edges become one edge.
+struct Border_joining
+{
+  bool is_on = true; // those at the same place
+  double tolerance = 0; // largest distance of points at the same place
+};
+
 // Two border edges are at the same place if their ends are, in either order. Edges of length zero, or whose ends are connected by
 // border vertices within the tolerance of each other, have no place.
 class Border_stitching

@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "mesh_input.h"
-#include "border_stitching.h"
 #include "memory_budget.h"
-#include "mesh_repair.h"
 #include "numbers.h"
 #include "polygon_links.h"
 #include "polygon_triangles.h"
 #include "soup_reader.h"
+#include "vertex_fans.h"
 
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
@@ -30,15 +29,13 @@ Mesh_input::Mesh_input(const std::string& path, Soup soup, const Border_joining&
   : m_soup(std::move(soup)), m_remarks(m_soup.remarks)
 {
   require_memory_for_faces(path);
-  measure(path);
+  measure(path, joining.tolerance);
   Faces faces;
   clean_polygons(path, faces);
   build(path, faces, joining);
   map_vertices(faces);
   triangulate(path, faces);
   const Vertex_pairs copies = pairs_of_vertices(faces);
-  flip_flat_caps();
-  require_area_in_doubles(path);
   join(path, copies);
   m_parts = Surface_parts(m_mesh);
 }
@@ -64,7 +61,7 @@ void Mesh_input::require_memory_for_faces(const std::string& path) const
                  smallest_bytes_per_triangle * triangles);
 }
 
-void Mesh_input::measure(const std::string& path)
+void Mesh_input::measure(const std::string& path, double tolerance)
 {
   for(const Polygon& polygon : m_soup.polygons)
     for(std::uint32_t v : polygon) m_box += m_soup.points[v].bbox();
@@ -75,6 +72,10 @@ void Mesh_input::measure(const std::string& path)
   if(!(m_diagonal < 1e70) || (m_diagonal > 0 && m_diagonal < 1e-70))
     throw Input_error(quoted(path) + ": the coordinates are too " + (m_diagonal > 1 ? "large" : "small"));
   if(m_diagonal == 0) throw Input_error(quoted(path) + ": all vertices are at the same place");
+  // larger holes are no rounding, and the search for near points would compare nearly all
+  if(const double most = m_diagonal / 100; tolerance > most)
+    throw Input_error("--stitch-tolerance " + short_number(tolerance) + " is more than " + short_number(most) +
+                      ", a hundredth of the diagonal of the bounding box of " + quoted(path));
 }
 
 bool Mesh_input::clean(Polygon& polygon)
@@ -344,20 +345,6 @@ void Mesh_input::triangulate(const std::string& path, const Faces& faces)
   m_remarks.push_back(counted(others.size(), "face") + " with more than three vertices triangulated");
 }
 
-std::string Mesh_input::name_of(Face face) const
-{
-  std::vector<std::size_t> file_vertices;
-  for(Vertex v : m_mesh.vertices_around_face(m_mesh.halfedge(face)))
-  {
-    file_vertices.push_back(static_cast<std::size_t>(std::find(m_first_vertex.begin(), m_first_vertex.end(), v) -
-                                                     m_first_vertex.begin()));
-    for(const auto& entry : m_further_vertices)
-      if(entry.second == v) file_vertices.back() = entry.first;
-  }
-  return "the face of the vertices " + std::to_string(file_vertices[0]) + ", " + std::to_string(file_vertices[1]) + " and " +
-         std::to_string(file_vertices[2]);
-}
-
 Mesh_input::Vertex_pairs Mesh_input::pairs_of_vertices(const Faces& faces)
 {
   Vertex_pairs pairs;
@@ -394,26 +381,6 @@ void Mesh_input::join(const std::string& path, const Vertex_pairs& copies)
   m_warning = quoted(path) + ": " + counted(shared.size(), "vertex is", "vertices are") +
               " shared by fans of faces that have no edge in common there (the first is vertex " + std::to_string(first) +
               "): paths pass through such a vertex from one fan into the others";
-}
-
-void Mesh_input::flip_flat_caps()
-{
-  const std::size_t changes = geodesic_offset::flip_flat_caps(m_mesh);
-  m_mesh.collect_garbage(); // of faces and edges: all vertices stay
-  if(changes != 0) m_remarks.push_back(counted(changes, "face") + " flatter than rounding removed");
-}
-
-void Mesh_input::require_area_in_doubles(const std::string& path) const
-{
-  const auto construct_apices = Traits().construct_apices_2_object();
-  for(Face f : m_mesh.faces())
-  {
-    const Halfedge h = m_mesh.halfedge(f);
-    const auto apices = construct_apices(m_mesh.point(m_mesh.source(h)), m_mesh.point(m_mesh.target(h)),
-                                         m_mesh.point(m_mesh.target(m_mesh.next(h))));
-    if(!(apices[0].y > 0 && apices[1].y > 0 && apices[2].y > 0))
-      throw Input_error(quoted(path) + ": the area of " + name_of(f) + " is zero in double precision");
-  }
 }
 
 } // namespace geodesic_offset

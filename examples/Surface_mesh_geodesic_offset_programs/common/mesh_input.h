@@ -12,6 +12,7 @@
 #ifndef GEODESIC_OFFSET_MESH_INPUT_H
 #define GEODESIC_OFFSET_MESH_INPUT_H
 
+#include "border_stitching.h"
 #include "common.h"
 #include "polygon_links.h"
 #include "surface_parts.h"
@@ -27,13 +28,6 @@
 #include <vector>
 
 namespace geodesic_offset {
-
-// Which border edges become one edge.
-struct Border_joining
-{
-  bool is_on = true; // those at the same place
-  double tolerance = 0; // largest distance of points at the same place
-};
 
 // The mesh, with its relation to the file.
 class Mesh_input
@@ -120,7 +114,8 @@ private:
   // Called before the mesh is built.
   void require_memory_for_faces(const std::string& path) const;
 
-  void measure(const std::string& path);
+  // Checks the tolerance of border edges, too.
+  void measure(const std::string& path, double tolerance);
 
   // Removes consecutive repetitions of a vertex. Returns whether a polygon remains.
   static bool clean(Polygon& polygon);
@@ -159,20 +154,12 @@ private:
 
   void triangulate(const std::string& path, const Faces& faces);
 
-  // Named by vertices: at this stage faces no longer have their numbers of the file.
-  std::string name_of(Face face) const;
-
   static Vertex_pairs pairs_of_vertices(const Faces& faces);
 
   void renumber_vertices(const std::vector<Vertex>& new_vertex);
 
   // Merges copies into one vertex.
   void join(const std::string& path, const Vertex_pairs& copies);
-
-  void flip_flat_caps();
-
-  // The vertices of a face may be collinear up to less than the rounding of its area.
-  void require_area_in_doubles(const std::string& path) const;
 };
 
 } // namespace geodesic_offset

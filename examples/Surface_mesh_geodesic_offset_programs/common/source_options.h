@@ -6,6 +6,7 @@
 #ifndef GEODESIC_OFFSET_SOURCE_OPTIONS_H
 #define GEODESIC_OFFSET_SOURCE_OPTIONS_H
 
+#include "border_stitching.h"
 #include "command_line.h"
 #include "common.h"
 #include "numbers.h"
@@ -70,6 +71,20 @@ inline po::options_description source_options_description()
     "put points on the surface along this direction, forwards or backwards, instead of to the nearest "
     "point");
   return sources;
+}
+
+inline void add_border_options(po::options_description& others)
+{
+  others.add_options()("no-stitch", po::bool_switch(), "keep border edges at the same place apart")(
+    "stitch-tolerance", po::value<std::string>()->value_name("T"),
+    "join border edges whose ends are at most T apart, in the units of the mesh (default: 0)");
+}
+
+inline Border_joining border_joining(const po::variables_map& map)
+{
+  const bool is_off = map["no-stitch"].as<bool>();
+  if(is_off && map.count("stitch-tolerance")) throw Usage_error("--stitch-tolerance cannot be used with --no-stitch");
+  return {!is_off, optional_positive_number(map, "stitch-tolerance").value_or(0)};
 }
 
 // The word without an option.

@@ -177,7 +177,8 @@ void Sources::add_polyline(const File_polyline& from, const std::string& file, c
     }
     catch(const std::invalid_argument&)
     {
-      throw Input_error(line + ": there is no path on the surface from " + name(i - 1) + " to " + name(i));
+      throw Input_error(line + ": there is no path on the surface from " + name(i - 1) + " to " + name(i) +
+                        ": they are on different parts of the surface");
     }
   }
   // in closed polylines the first location is not repeated

@@ -149,9 +149,10 @@ public:
     {
       if(read(x)) continue;
       const std::string_view word = this->word();
-      const std::string text = "line " + std::to_string(m_line) + ": " + name() +
-                               (word.empty() ? " has fewer than three coordinates"
-                                             : " has the coordinate " + quoted_word(word) + ", which is not a finite number");
+      const std::string text =
+        "line " + std::to_string(m_line) + ": " + name() +
+        (word.empty() ? " has fewer than three coordinates"
+                      : " has the coordinate " + quoted_word(word) + ", which is not a finite number");
       if(!is_not_finite(word)) fail(text);
       if(is_finite) not_finite(message(text));
       is_finite = false;

@@ -82,11 +82,6 @@ struct File_field
       if(with_error_bounds) columns[k].values[i] = geodesic.error_bound(nearest);
     }
   }
-
-  std::size_t number_of_unreached() const
-  {
-    return static_cast<std::size_t>(std::count(columns[0].values.begin(), columns[0].values.end(), infinity));
-  }
 };
 
 namespace internal {

@@ -30,12 +30,14 @@
 #include "threads.h"
 #include "voronoi_output.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <iostream>
 #include <new>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -51,12 +53,21 @@ Mesh_input load(const Options& options, Run_figures& figures, Progress& progress
 {
   const Stopwatch time;
   progress.show("reading " + quoted(options.mesh));
-  Mesh_input input(options.mesh, options.stitch);
+  Mesh_input input(options.mesh, options.borders);
   figures.vertices = input.mesh().number_of_vertices();
   figures.faces = input.mesh().number_of_faces();
+  figures.parts = input.parts().number();
+  figures.border_cycles = input.parts().number_of_border_cycles();
+  figures.bounding_box = input.bounding_box();
   figures.load_seconds = time.seconds();
   progress.line("mesh: " + counted(figures.vertices, "vertex", "vertices") + ", " + counted(figures.faces, "face"),
                 figures.load_seconds);
+  const auto corner = [&](double (CGAL::Bbox_3::*end)(int) const) {
+    const CGAL::Bbox_3& box = figures.bounding_box;
+    return short_number((box.*end)(0)) + ',' + short_number((box.*end)(1)) + ',' + short_number((box.*end)(2));
+  };
+  progress.line("mesh: " + counted(figures.parts, "part") + ", " + counted(figures.border_cycles, "border cycle") +
+                ", bounding box from " + corner(&CGAL::Bbox_3::min) + " to " + corner(&CGAL::Bbox_3::max));
   for(const std::string& remark : input.remarks()) progress.line("mesh: " + remark);
   if(!input.warning().empty()) progress.warning(input.warning());
   check_length("tolerance", options.tolerance, input.bounding_box_diagonal());
@@ -80,6 +91,24 @@ Sources find_sources(const Mesh_input& input, const Options& options, Geodesic& 
                       " leaves no distances: the smallest --start-value is " + short_number(sources.smallest_start_value()));
   if(const std::string useless = useless_side(options, sources); !useless.empty()) progress.warning(useless);
   return sources;
+}
+
+// Numbers of parts without sources, and of the vertices of the file on these parts.
+std::pair<std::size_t, std::size_t> unreached(const Mesh_input& input, const Sources& sources)
+{
+  const Surface_parts& parts = input.parts();
+  if(parts.number() == 1) return {0, 0};
+  std::vector<bool> has_source(input.mesh().number_of_vertices(), false); // the first vertex of a part
+  sources.for_each_start([&](Vertex v, double) { has_source[parts.first_vertex(v)] = true; });
+  std::size_t vertices = 0;
+  for(std::size_t i = 0; i < input.soup().points.size(); ++i)
+  {
+    bool is_reached = false;
+    input.for_each_vertex_of(i, [&](Vertex v) { is_reached = is_reached || has_source[parts.first_vertex(v)]; });
+    vertices += input.has_vertex(i) && !is_reached ? 1 : 0;
+  }
+  const auto reached = static_cast<std::size_t>(std::count(has_source.begin(), has_source.end(), true));
+  return {parts.number() - reached, vertices};
 }
 
 // Computes the levels, and reports their number before the long computation.
@@ -137,13 +166,11 @@ Solution solve(const Mesh_input& input, const Sources& sources, const Levels& le
                 time.seconds());
   if(options.has_tolerance())
     progress.line("distances: smaller than the exact ones by at most " + short_number(geodesic.statistics().error_bound));
-  if(is_complete && field.number_of_unreached() != 0)
-    progress.line("distances: " + counted(field.number_of_unreached(), "vertex", "vertices") + " not reached");
   if(!levels.empty())
     progress.line("offsets: " + counted(offsets.number_of_curves(), "curve") + " at " +
                   counted(offsets.levels.size(), "distance"));
-  for(const std::string& reason :
-      missing_offsets(options, levels, offsets.levels, sources.smallest_start_value(), figures.largest_distance))
+  for(const std::string& reason : missing_offsets(options, levels, offsets.levels, sources.smallest_start_value(),
+                                                  figures.largest_distance, figures.unreached_parts != 0))
     progress.warning(reason);
   return {std::move(offsets), geodesic.statistics(), std::move(field)};
 }
@@ -214,6 +241,11 @@ void run(const Options& options, Concurrency_tag tag)
   progress.show("sources");
   Geodesic geodesic(input.mesh(), CGAL::parameters::concurrency_tag(tag));
   const Sources sources = find_sources(input, options, geodesic, progress);
+  std::tie(figures.unreached_parts, figures.unreached_vertices) = unreached(input, sources);
+  if(figures.unreached_parts != 0)
+    progress.warning(std::to_string(figures.unreached_parts) + " of " + counted(figures.parts, "part") + " of the surface " +
+                     (figures.unreached_parts == 1 ? "has no source: its " : "have no source: their ") +
+                     counted(figures.unreached_vertices, "vertex is", "vertices are") + " not reached");
   const Path_queries queries(input, options, geodesic.mesh());
   report(queries.moved_points(), input, "paths", progress);
   figures.setup_seconds = setup_time.seconds();

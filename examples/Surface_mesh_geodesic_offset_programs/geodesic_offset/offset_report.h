@@ -40,9 +40,10 @@ inline std::string named_distances(const std::vector<double>& distances)
 } // namespace internal
 
 // One sentence per reason for named distances without offset. `figures`: of the distances with offsets; `start`: smallest start
-// value of the sources; `reach`: largest computed distance.
+// value of the sources; `reach`: largest computed distance; has_unreached_parts: whether parts of the surface have no sources.
 inline std::vector<std::string> missing_offsets(const Options& options, const Levels& levels,
-                                                const std::vector<Level_figures>& figures, double start, double reach)
+                                                const std::vector<Level_figures>& figures, double start, double reach,
+                                                bool has_unreached_parts)
 {
   std::vector<double> before_start, beyond_maximum, beyond_surface, not_selected;
   for(double distance : levels.named())
@@ -69,7 +70,9 @@ inline std::vector<std::string> missing_offsets(const Options& options, const Le
                       short_number(*options.maximum_distance));
   if(!beyond_surface.empty())
     reasons.push_back("no offset at " + internal::named_distances(beyond_surface) +
-                      ": no point of the surface is farther from the sources than " + short_number(reach));
+                      (has_unreached_parts ? ": on the parts of the surface with sources, no point is farther from them than "
+                                           : ": no point of the surface is farther from the sources than ") +
+                      short_number(reach));
   if(!not_selected.empty())
     reasons.push_back("no offset at " + internal::named_distances(not_selected) + " with " +
                       (options.side.empty() ? "--end " + options.end : "--side " + options.side) +

@@ -28,7 +28,7 @@ namespace geodesic_offset {
 struct Options : Source_options, Level_options, Query_options, Output_options
 {
   std::optional<std::size_t> threads;
-  bool stitch = true;
+  Border_joining borders;
   bool quiet = false;
   bool help = false;
   bool version = false;
@@ -55,8 +55,9 @@ inline po::options_description options_description()
                               "Exact geodesic distances on a triangle mesh and exact geodesic offsets of curves.\n"
                               "MESH is an .off, .obj, .ply or .stl file");
   po::options_description others("Others");
-  others.add_options()("no-stitch", po::bool_switch(), "keep border edges at the same place apart")(
-    "threads", po::value<std::string>()->value_name("N"), "work with at most N threads (default: those of the machine)")(
+  add_border_options(others);
+  others.add_options()("threads", po::value<std::string>()->value_name("N"),
+                       "work with at most N threads (default: those of the machine)")(
     "quiet", po::bool_switch(), "print only warnings and errors")("version", po::bool_switch(),
                                                                   "print the version")("help", po::bool_switch(), "print this");
   all.add(source_options_description())
@@ -91,7 +92,7 @@ inline Options checked_options(const po::variables_map& map)
   read_query_options(map, options);
   read_output_options(map, options);
   options.threads = number_of_threads(map);
-  options.stitch = !map["no-stitch"].as<bool>();
+  options.borders = border_joining(map);
   options.quiet = map["quiet"].as<bool>();
   if(!options.split.empty() && !options.selection.is_everything())
     throw Usage_error("--split needs the offsets on both sides with round ends, without --side and --end");

@@ -76,7 +76,10 @@ public:
           geodesic.shortest_path_points_to_sources(location, std::back_inserter(result.back().points));
         }
         else
-          progress.warning("no path for " + query.name + ": no distance was computed there");
+          progress.warning("no path for " + query.name +
+                           (geodesic.covered_distance() < infinity
+                              ? ": no distance was computed there"
+                              : ": it is on another part of the surface than the sources"));
       };
       if(query.vertices.empty())
       {

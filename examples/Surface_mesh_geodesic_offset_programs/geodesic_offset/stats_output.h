@@ -9,6 +9,8 @@
 #include "common/common.h"
 #include "curve_files.h"
 
+#include <CGAL/Bbox_3.h>
+
 #include <sys/resource.h>
 
 #include <algorithm>
@@ -25,6 +27,11 @@ struct Run_figures
 {
   std::size_t vertices = 0;
   std::size_t faces = 0;
+  std::size_t parts = 0;
+  std::size_t border_cycles = 0;
+  CGAL::Bbox_3 bounding_box;
+  std::size_t unreached_parts = 0; // without sources
+  std::size_t unreached_vertices = 0; // of the file
   std::size_t threads = 1;
   double load_seconds = 0;
   double setup_seconds = 0;
@@ -66,6 +73,13 @@ inline void write_stats(std::ostream& out, const Run_figures& run, const Geodesi
   out << "{\n"
       << "  \"vertices\": " << run.vertices << ",\n"
       << "  \"faces\": " << run.faces << ",\n"
+      << "  \"parts\": " << run.parts << ",\n"
+      << "  \"border_cycles\": " << run.border_cycles << ",\n"
+      << "  \"bounding_box\": [[" << run.bounding_box.xmin() << ", " << run.bounding_box.ymin() << ", "
+      << run.bounding_box.zmin() << "], [" << run.bounding_box.xmax() << ", " << run.bounding_box.ymax() << ", "
+      << run.bounding_box.zmax() << "]],\n"
+      << "  \"unreached_parts\": " << run.unreached_parts << ",\n"
+      << "  \"unreached_vertices\": " << run.unreached_vertices << ",\n"
       << "  \"threads\": " << run.threads << ",\n"
       << "  \"load_seconds\": " << run.load_seconds << ",\n"
       << "  \"setup_seconds\": " << run.setup_seconds << ",\n"

@@ -24,7 +24,7 @@ struct Offset_validation_options : Source_options
   double distance = 0;
   std::optional<double> tolerance;
   std::optional<double> surface_tolerance;
-  bool stitch = true;
+  Border_joining borders;
   bool help = false;
   bool version = false;
 };
@@ -51,9 +51,9 @@ inline po::options_description offset_validation_options_description()
     "tolerance", word("EPS"), "the largest EPS that is accepted, in the units of the mesh (default: any)")(
     "surface-tolerance", word("T"),
     "points may be so far from the surface, in the units of the mesh (default: 1e-5 of the "
-    "diagonal of the bounding box)")("no-stitch", po::bool_switch(),
-                                     "leave border edges of the mesh apart that lie at the same place")(
-    "version", po::bool_switch(), "print the version")("help", po::bool_switch(), "print this");
+    "diagonal of the bounding box)")("version", po::bool_switch(),
+                                     "print the version")("help", po::bool_switch(), "print this");
+  add_border_options(others);
 
   all.add(source_options_description()).add(others);
   return all;
@@ -69,7 +69,7 @@ inline Offset_validation_options checked_offset_validation_options(const po::var
   options.distance = positive_number("distance", map["distance"].as<std::string>());
   options.tolerance = optional_positive_number(map, "tolerance");
   options.surface_tolerance = optional_positive_number(map, "surface-tolerance");
-  options.stitch = !map["no-stitch"].as<bool>();
+  options.borders = border_joining(map);
   return options;
 }
 

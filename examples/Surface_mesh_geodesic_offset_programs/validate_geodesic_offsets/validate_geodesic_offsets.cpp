@@ -76,7 +76,7 @@ void write_input(const Offset_validation_options& options, const Mesh_input& inp
 
 int validate(const Offset_validation_options& options)
 {
-  const Mesh_input input(options.mesh, Border_joining{options.stitch, 0});
+  const Mesh_input input(options.mesh, options.borders);
   if(!input.warning().empty()) print_warning("validate_geodesic_offsets", input.warning());
   Enclosure enclosure = enclosure_on(input, options.mesh);
   const Curves_on_surface curves(enclosure.mesh(), options.curves); // before the long work

@@ -30,31 +30,34 @@ namespace Geodesic_offset {
 namespace internal {
 
 /*
-A triangle is degenerate if Unfolded_mesh rejects it (it has no area), or if it is a cap that rounding does not distinguish from a
-segment: the height of its middle vertex above its longest side is at most 64 units in the last place of the shorter of the two
-other sides. No ray from the middle vertex through the longest side has a width then.
+A triangle is degenerate if Unfolded_mesh rejects it (it has no area), or if its height, that of its middle corner above its longest
+side, is only rounding:
+- at most 64 units in the last place of its shortest side: no ray from the middle corner through the longest side has a width, or
+- at most 16 units in the last place of its largest coordinate: a point that is computed between two others is beside their line by up
+  to five of these units (three roundings of three coordinates), so the three corners may have been meant to be on one line.
 
-Two steps leave the surface as it is, except for displacements by rounding:
+Two steps remove such triangles; displacements are rounding, too:
 
-1. Sides of length zero: their ends become one point. A polygon that has less than three corners then has no area; faces at its
-   two remaining sides become neighbours, as these sides become one edge.
-2. Caps: let ac be the longest side of a degenerate triangle and b the third corner, which lies on ac. The triangle is removed, and
-   every other polygon at the edge ac receives the corner b between a and c; a triangle acx becomes abx and bcx. So the neighbours
-   at ab, bc and ac become neighbours of each other along ab and bc. With one neighbour at ac this is an edge flip. Without
-   neighbours at ac the side is on the border, and the triangle is dropped.
+1. Contraction: the ends of a side of length zero become one point. A polygon that has less than three corners then vanishes, and its
+   neighbours at two sides that become one edge are neighbours of each other.
+2. Division, for a degenerate triangle between three different points: let ac be its longest side and b the third corner, which is on
+   ac. The triangle vanishes, and every other polygon at the edge ac receives the corner b between a and c; a triangle acx becomes
+   abx and bcx. So the neighbours at ab, bc and ac become neighbours of each other along ab and bc. With one other polygon at ac
+   this is an edge flip. Without any, ac is on the border.
 
-Degenerate triangles are taken in the order of their longest sides, the longest first. If triangles are exactly flat, all degenerate
-triangles at ac lie between a and c then, so they are replaced by shorter ones, and triangles with an area by triangles with an
-area.
+A polygon with more than three corners may have spikes, corners with both sides in the same direction: they are cut off as degenerate
+triangles. Triangles that result from a degenerate one are degenerate, whatever rounding makes of their height: otherwise parts of a
+cluster would stay between faces that have become neighbours. Needles among them, whose shortest side is less than eight times their
+height, are contracted at this side instead of divided; so are triangles that have no area only because products of lengths underflow.
 
-Termination: step 1 reduces the number of points. A step 2 removes the triple {a, b, c} from the soup: every polygon with this triple
-has the edge ac and b, so it loses its area. The triple is recorded, and no step 2 creates a triangle with a recorded triple; since
-there are finitely many triples of points, the number of steps is finite. As long as triangles are exactly flat, the longest sides
-of the triangles that are removed do not increase, and the triangles that replace a degenerate one are shorter, so no step 2 is
-refused. With rounding, a refused triangle stays if Unfolded_mesh accepts it; otherwise its shortest side is contracted, as in step 1.
+Degenerate triangles are divided in the order of their longest sides, the longest first. If all are exactly flat, the other degenerate
+triangles at ac lie between a and c then, and are divided into shorter ones, and triangles with an area into triangles with an area.
 
-Triangles that have no area only because products of their lengths underflow, and that are no caps, also contract their shortest
-side.
+Termination: contraction reduces the number of points. Division removes the triple {a, b, c} from the soup, as every polygon with it
+has the edge ac and the corner b, and vanishes, too. The triple is recorded, and a division that would create a triangle with a
+recorded triple is refused; as there are finitely many triples, the number of divisions is finite. If all degenerate triangles are
+exactly flat, none is refused, since the longest sides of those that are divided do not increase, and the parts are shorter. A triangle
+that is refused because of rounding stays if Unfolded_mesh accepts it; otherwise it is contracted at its shortest side.
 */
 template <class Traits, class Point_of, class PolygonRange>
 class Degenerate_face_removal
@@ -74,18 +77,14 @@ public:
   // True if a polygon of the range is degenerate, has less than three corners, or a side of length zero or a corner twice.
   bool is_needed() const
   {
-    for (std::size_t f = 0; f < m_polygons.size(); ++f)
-      if (is_degenerate(corners_of(f))) return true;
+    Corners corners;
+    for (const auto& polygon : m_polygons)
+    {
+      corners.clear();
+      for (const auto& corner : polygon) corners.push_back(Index(corner));
+      if (is_degenerate(corners)) return true;
+    }
     return false;
-  }
-
-  bool is_degenerate(const Corners& polygon) const
-  {
-    if (polygon.size() < 3 || has_repetition(polygon)) return true;
-    if (polygon.size() == 3) return !shape_of(polygon).is_good;
-    for (std::size_t k = 0; k < polygon.size(); ++k)
-      if (has_no_length(polygon[k], polygon[(k + 1) % polygon.size()])) return true;
-    return spike_of(polygon) != polygon.size();
   }
 
   // Removes the degenerate faces.
@@ -99,8 +98,8 @@ public:
     m_is_degenerate.assign(m_polygons.size(), 0);
     contract_sides_without_length();
     for (std::size_t f = 0, n = m_polygons.size(); f < n; ++f) replace(f, parts_of(corners_of(f)));
-    collect_caps();
-    if (!m_queue.empty()) remove_caps();
+    queue_degenerate_triangles();
+    if (!m_queue.empty()) remove_degenerate_triangles();
     compress();
   }
 
@@ -123,27 +122,35 @@ public:
 private:
   struct Shape
   {
-    bool is_good = false;  // not degenerate
-    bool has_area = false; // as in Unfolded_mesh
-    bool is_cap = false;   // not a needle
+    bool is_good = false;                  // not degenerate
+    bool has_area = false;                 // as in Unfolded_mesh
+    bool is_cap = false;                   // no needle, if degenerate
     std::size_t longest = 0, shortest = 0; // sides, each numbered by its first corner
-    FT length = FT(0); // of the longest side
+    FT length = FT(0);                     // of the longest side
   };
 
-  struct Cap
+  struct Queued_triangle
   {
     FT length; // of its longest side
     std::size_t face;
     Triple triple;
 
-    bool operator<(const Cap& cap) const
+    bool operator<(const Queued_triangle& t) const
     {
-      return length != cap.length ? length < cap.length : face > cap.face; // faces with equal lengths in their order
+      return length != t.length ? length < t.length : face > t.face; // faces with equal lengths in their order
     }
   };
 
-  // Points of a triangle.
-  typedef std::array<Point_3, 3> Points;
+  typedef std::array<Point_3, 3> Points; // of a triangle
+
+  bool is_degenerate(const Corners& polygon) const
+  {
+    if (polygon.size() < 3 || has_repetition(polygon)) return true;
+    if (polygon.size() == 3) return !shape_of(polygon).is_good;
+    for (std::size_t k = 0; k < polygon.size(); ++k)
+      if (has_no_length(polygon[k], polygon[(k + 1) % polygon.size()])) return true;
+    return spike_of(polygon) != polygon.size();
+  }
 
   Points points_of(const Corners& triangle) const
   {
@@ -165,13 +172,13 @@ private:
     }
     shape.length = apices[shape.longest].length;
     const FT shortest = apices[shape.shortest].length, height = apices[shape.longest].y;
-    shape.is_good = shape.has_area && height > least_height(points, shortest);
-    shape.is_cap = shape.has_area ? !(height > cap_ratio() * shortest) : is_cap(points);
+    shape.is_good = shape.has_area && height > largest_height(points, shortest);
+    shape.is_cap = has_normal_square(FT(shape.length * shortest)) && !(height > shortest / FT(8));
     return shape;
   }
 
-  // The height of a triangle with area at most which it is degenerate.
-  static FT least_height(const Points& points, const FT& shortest)
+  // The largest height of a degenerate triangle.
+  static FT largest_height(const Points& points, const FT& shortest)
   {
     if constexpr (!Number_policy<FT>::is_inexact) return FT(0);
     else
@@ -186,41 +193,11 @@ private:
 
   static FT size_of(const Point_3& p) { return (std::max)({FT(CGAL::abs(p.x())), FT(CGAL::abs(p.y())), FT(CGAL::abs(p.z()))}); }
 
-  // The height of a cap is at most this part of its shortest side.
-  static FT cap_ratio() { return FT(1) / FT(8); }
-
-  // Whether a triangle without area is a cap, independent of its size.
-  bool is_cap(const Points& points) const
+  // Whether the square of a number is above the underflow range.
+  static bool has_normal_square(const FT& x)
   {
     if constexpr (!Number_policy<FT>::is_inexact) return true;
-    else
-    {
-      FT u[2][3], size(0);
-      for (int i = 0; i < 2; ++i)
-        for (int c = 0; c < 3; ++c)
-        {
-          u[i][c] = points[std::size_t(i) + 1][c] - points[0][c];
-          size = (std::max)(size, FT(CGAL::abs(u[i][c])));
-        }
-      if (!CGAL::is_positive(size)) return false;
-      const auto scaled = [&](int i) { return Point_3(u[i][0] / size, u[i][1] / size, u[i][2] / size); };
-      const auto apices = m_traits.construct_apices_2_object()(Point_3(FT(0), FT(0), FT(0)), scaled(0), scaled(1));
-      std::size_t longest = 0;
-      FT shortest = apices[0].length;
-      for (std::size_t k = 1; k < 3; ++k)
-      {
-        if (apices[k].length > apices[longest].length) longest = k;
-        shortest = (std::min)(shortest, apices[k].length);
-      }
-      const FT height = cap_ratio() * shortest;
-      return is_square_normal(height) && !(apices[longest].y > height);
-    }
-  }
-
-  // Whether the square of a number is above the underflow range.
-  static bool is_square_normal(const FT& x)
-  {
-    if constexpr (std::numeric_limits<FT>::is_specialized) return x * x >= (std::numeric_limits<FT>::min)();
+    else if constexpr (std::numeric_limits<FT>::is_specialized) return x * x >= (std::numeric_limits<FT>::min)();
     else return CGAL::is_positive(x);
   }
 
@@ -233,7 +210,7 @@ private:
     else
     {
       const FT length = coordinate_rounding() * (std::max)(size_of(p), size_of(q));
-      return !CGAL::is_positive(square) || square <= length * length;
+      return !CGAL::is_positive(square) || (Number_policy<FT>::is_finite(square) && square <= length * length);
     }
   }
 
@@ -385,13 +362,13 @@ private:
     CGAL_assertion_msg(false, "a polygon of fixed size that is not a triangle");
   }
 
-  void collect_caps()
+  void queue_degenerate_triangles()
   {
     for (std::size_t f = 0; f < m_polygons.size(); ++f)
-      if (m_is_alive[f]) add_if_degenerate(f);
+      if (m_is_alive[f]) queue_if_degenerate(f);
   }
 
-  void add_if_degenerate(std::size_t face)
+  void queue_if_degenerate(std::size_t face)
   {
     if (m_polygons[face].size() != 3) return;
     const Corners triangle = corners_of(face);
@@ -407,36 +384,36 @@ private:
     return triple;
   }
 
-  void remove_caps()
+  void remove_degenerate_triangles()
   {
     find_faces_at_points();
     while (!m_queue.empty())
     {
-      const Cap cap = m_queue.top();
+      const Queued_triangle queued = m_queue.top();
       m_queue.pop();
-      if (!m_is_alive[cap.face] || m_polygons[cap.face].size() != 3) continue;
-      const Corners triangle = corners_of(cap.face);
-      if (triple_of(triangle) != cap.triple) continue; // an entry of a former polygon with this index
+      if (!m_is_alive[queued.face] || m_polygons[queued.face].size() != 3) continue;
+      const Corners triangle = corners_of(queued.face);
+      if (triple_of(triangle) != queued.triple) continue; // an entry of a former polygon with this index
       const Shape shape = shape_of(triangle);
       if (!Number_policy<FT>::is_finite(shape.length)) continue;
-      const bool is_refused = shape.is_cap && !remove_cap(cap, triangle, shape);
+      const bool is_refused = shape.is_cap && !divide_neighbours(queued, triangle, shape);
       if (!shape.is_cap || (is_refused && !shape.has_area))
         contract(triangle[shape.shortest], triangle[(shape.shortest + 1) % 3]);
     }
   }
 
   // Step 2; returns false, and changes nothing, if a triangle of a recorded triple would result.
-  bool remove_cap(const Cap& cap, const Corners& triangle, const Shape& shape)
+  bool divide_neighbours(const Queued_triangle& queued, const Corners& triangle, const Shape& shape)
   {
     const Index a = triangle[shape.longest], c = triangle[(shape.longest + 1) % 3], b = triangle[(shape.longest + 2) % 3];
     std::vector<std::pair<std::size_t, std::vector<Corners>>> changes;
     for (const std::size_t g : faces_at_edge(a, c))
-      if (g != cap.face) changes.emplace_back(g, with_corner(corners_of(g), a, c, b));
+      if (g != queued.face) changes.emplace_back(g, with_corner(corners_of(g), a, c, b));
     for (const auto& change : changes)
       for (const Corners& part : change.second)
         if (part.size() == 3 && m_removed.count(triple_of(part))) return false;
-    m_removed.insert(cap.triple);
-    m_is_alive[cap.face] = 0;
+    m_removed.insert(queued.triple);
+    m_is_alive[queued.face] = 0;
     ++(changes.empty() ? m_dropped_faces : m_flipped_faces);
     for (const auto& change : changes) change_face(change.first, change.second);
     return true;
@@ -461,7 +438,7 @@ private:
     for (const std::size_t f : replace(face, parts))
     {
       for (const auto& corner : m_polygons[f]) m_more_faces_at[Index(corner)].push_back(f);
-      add_if_degenerate(f);
+      queue_if_degenerate(f);
     }
   }
 
@@ -543,7 +520,7 @@ private:
   std::vector<Index> m_root;
   std::vector<std::size_t> m_origin;
   std::vector<char> m_is_alive, m_is_degenerate;
-  std::priority_queue<Cap> m_queue;
+  std::priority_queue<Queued_triangle> m_queue;
   std::set<Triple> m_removed;
 
   // Faces at points before step 2, and those that step 2 has added. Contain faces that no longer have the point.

@@ -423,7 +423,8 @@ private:
     for (face_descriptor f : faces(tm))
       if (!unfolded.has_area(index_of(f)))
         throw std::invalid_argument("Surface_mesh_geodesic_offset: face " + std::to_string(index_in_mesh(f)) +
-                                    (has_points ? " is degenerate or has a coordinate that is not finite"
+                                    (has_points ? " is degenerate or has a coordinate that is not finite; "
+                                                  "CGAL::remove_degenerate_faces_in_polygon_soup() removes degenerate faces"
                                                 : ": the lengths of its edges do not satisfy the triangle inequality, or are "
                                                   "not finite"));
   }

@@ -1,17 +1,14 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Repairs that leave the surface unchanged, for requirements of the solver that files often violate.
+// Fans of faces that share a vertex.
 
-#ifndef GEODESIC_OFFSET_MESH_REPAIR_H
-#define GEODESIC_OFFSET_MESH_REPAIR_H
+#ifndef GEODESIC_OFFSET_VERTEX_FANS_H
+#define GEODESIC_OFFSET_VERTEX_FANS_H
 
 #include "common.h"
 
-#include <CGAL/boost/graph/Euler_operations.h>
-
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -88,61 +85,6 @@ inline std::vector<Vertex> join_vertices(Mesh& mesh, const std::vector<std::pair
   return shared;
 }
 
-// Whether the middle vertex of a face lies on its longest side in double precision: its height is below the rounding of the
-// shorter sides. Rays from this vertex through that side have no width, so no window represents them. `longest` receives
-// the halfedge of that side.
-inline bool is_flat_cap(const Mesh& mesh, Face face, Halfedge& longest)
-{
-  constexpr double rounding = 0x1p-46; // 64 units in the last place, of sums of some products
-  longest = mesh.halfedge(face);
-  const auto square = [&](Halfedge h) {
-    return CGAL::squared_distance(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)));
-  };
-  for(Halfedge h : mesh.halfedges_around_face(mesh.halfedge(face)))
-    if(square(h) > square(longest)) longest = h;
-  const Point& p = mesh.point(mesh.source(longest));
-  const Point& middle = mesh.point(mesh.target(mesh.next(longest)));
-  const Vector along = mesh.point(mesh.target(longest)) - p, to_middle = middle - p;
-  const double height = std::sqrt(CGAL::cross_product(mesh.point(mesh.target(longest)) - middle, p - middle).squared_length() /
-                                  along.squared_length());
-  const double shorter = std::sqrt(std::min(to_middle.squared_length(), square(mesh.next(longest))));
-  return height <= rounding * shorter;
-}
-
-// Flips the longest sides of flat caps, and removes caps whose longest side is on the border: the surface is unchanged up
-// to rounding. Other caps remain. Returns the number of changes. Precondition: no shared vertices.
-inline std::size_t flip_flat_caps(Mesh& mesh)
-{
-  std::vector<Face> caps;
-  Halfedge longest;
-  for(Face f : mesh.faces())
-    if(is_flat_cap(mesh, f, longest)) caps.push_back(f);
-  std::size_t changes = 0;
-  // a flip can create another cap, along a row of collinear vertices
-  for(const std::size_t most = 8 * caps.size(); !caps.empty() && changes < most;)
-  {
-    const Face f = caps.back();
-    caps.pop_back();
-    if(mesh.is_removed(f) || !is_flat_cap(mesh, f, longest)) continue;
-    const Halfedge beyond = mesh.opposite(longest);
-    const Vertex middle = mesh.target(mesh.next(longest));
-    if(mesh.is_border(beyond))
-    {
-      if(mesh.is_border(middle) || mesh.number_of_faces() == 1) continue;
-      CGAL::Euler::remove_face(longest, mesh);
-      ++changes;
-      continue;
-    }
-    const Vertex other = mesh.target(mesh.next(beyond));
-    if(other == middle || mesh.halfedge(middle, other) != Mesh::null_halfedge()) continue;
-    CGAL::Euler::flip_edge(longest, mesh);
-    ++changes;
-    caps.push_back(mesh.face(longest));
-    caps.push_back(mesh.face(mesh.opposite(longest)));
-  }
-  return changes;
-}
-
 } // namespace geodesic_offset
 
-#endif // GEODESIC_OFFSET_MESH_REPAIR_H
+#endif // GEODESIC_OFFSET_VERTEX_FANS_H
