@@ -17,7 +17,7 @@ function(add_geodesic_offset_library target)
       "PATH Geodesic_build"
       "LOCATOR mesh/Surface_locator Polyline_joining"
       "MESH mesh/Unfolded_mesh mesh/Index_renumbering"
-      "SOURCE sources/Source_set")
+      "SOURCE sources/Source_set offsets/Inner_sides")
     string(REPLACE " " ";" headers "${part}")
     list(GET headers 0 GEODESIC_OFFSET_PART)
     list(REMOVE_AT headers 0)

@@ -20,6 +20,7 @@
 
 #include <cstddef>
 #include <iterator>
+#include <map>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -398,6 +399,9 @@ public:
 
   /// the number of sources.
   std::size_t number_of_sources() const { return m_sources.size(); }
+
+  /// forwards to `Geodesic_mesh::inner_sides()` with the sources of this object.
+  std::map<std::size_t, Geodesic_inner_side> inner_sides() const { return m_mesh.inner_sides(m_sources); }
   /// @}
 
   /// \name Building
@@ -562,9 +566,8 @@ public:
   Curves come by increasing distance, as soon as the front has passed them: memory is that of the front and of the
   curves that the front crosses. Without `distance_limit`, distances beyond the largest level are computed, too. With a
   limit that is equal to the largest level, the curves are the same up to rounding, and nothing beyond is computed. Levels
-  beyond the distance limit give no curves. A selection by inside or outside takes one more propagation per closed
-  polyline: over the whole surface, on the calling thread, and with all windows in memory. With a tolerance, the curves are
-  those of the distances that the build gives, see `Geodesic_offset_curve::tolerance()`.
+  beyond the distance limit give no curves. A selection by inside or outside takes the time of `inner_sides()` more. With a
+  tolerance, the curves are those of the distances that the build gives, see `Geodesic_offset_curve::tolerance()`.
 
   \param levels a distance, a range of distances, or an `Offset_levels` object
   \param out an output iterator for `Offset_curve`
@@ -572,15 +575,17 @@ public:
 
   \cgalNamedParamsBegin
     \cgalParamNBegin{offset_side}
-      \cgalParamDescription{the side of polylines. Curves are cut where they leave it, so they may be open with ends inside the
-                            surface.}
-      \cgalParamType{`Offset_side`}
-      \cgalParamDefault{`Offset_side::BOTH`}
+      \cgalParamDescription{the side of all polylines, or of each. Curves are cut where they leave it, so they may be open with
+                            ends inside the surface.}
+      \cgalParamType{`Offset_side`, or a range of pairs of the id of a source and its `Offset_side`, such as
+                     `std::map<std::size_t, Offset_side>`}
+      \cgalParamDefault{`Offset_side::BOTH`, also for sources that are not in the range}
+      \cgalParamExtra{`inner_sides()` has the sides that are inside.}
     \cgalParamNEnd
     \cgalParamNBegin{end_style}
       \cgalParamDescription{the cap style at the ends of open polylines}
       \cgalParamType{`Offset_end`}
-      \cgalParamDefault{`Offset_end::ROUND`}
+      \cgalParamDefault{`Offset_end::ROUND` for sources with both sides, `Offset_end::BUTT` for those with one side}
     \cgalParamNEnd
   \cgalNamedParamsEnd
 

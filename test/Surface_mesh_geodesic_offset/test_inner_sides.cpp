@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Offsets inside and outside of closed polylines: inside is the side with the smaller area, independent of the polyline's
-// direction. Polylines without inside are rejected.
+// Offsets inside and outside of closed polylines: inside is the side without border, or else the one with the smaller area,
+// independent of the polyline's direction. Polylines without inside are rejected.
 
 #include "planar_polyline.h"
 #include "plane_section.h"
@@ -70,7 +70,7 @@ void hole(const Planar_mesh& plane)
   check(geodesic, d, Offset_side::OUTSIDE, 2, 10 + round + 2 + round);
 }
 
-// More than half of the surface: the rest is inside.
+// More than half of the surface: nevertheless inside, as the rest has the border.
 void large(const Planar_mesh& plane)
 {
   Report::instance().set_context("a large square");
@@ -80,12 +80,12 @@ void large(const Planar_mesh& plane)
     const Line square{{0.5, 0.5}, {3.5, 0.5}, {3.5, 3.5}, {0.5, 3.5}}; // 9 of 16
     plane.add(geodesic, clockwise ? reversed(square) : square, true);
     geodesic.build(CGAL::parameters::keep_windows(true));
-    check(geodesic, 0.25, Offset_side::INSIDE, 1, 12 + 2 * CGAL_PI * 0.25);
-    check(geodesic, 0.25, Offset_side::OUTSIDE, 1, 12 - 8 * 0.25);
+    check(geodesic, 0.25, Offset_side::INSIDE, 1, 12 - 8 * 0.25);
+    check(geodesic, 0.25, Offset_side::OUTSIDE, 1, 12 + 2 * CGAL_PI * 0.25);
   }
 }
 
-// Along the border, and within rounding of it, the only side is inside. A wider strip is the smaller side.
+// Along the border, and within rounding of it, the only side is inside. A wider strip has the border, so it is outside.
 void along_border(const std::string& name, const Planar_mesh& plane)
 {
   const auto square = [](double e) { return Line{{e, e}, {4 - e, e}, {4 - e, 4 - e}, {e, 4 - e}}; };
@@ -107,8 +107,8 @@ void along_border(const std::string& name, const Planar_mesh& plane)
     const double e = 0.03125;
     add(geodesic, e);
     geodesic.build(CGAL::parameters::keep_windows(true));
-    check(geodesic, e / 2, Offset_side::INSIDE, 1, 4 * (4 - 2 * e) + CGAL_PI * e);
-    check(geodesic, 0.25, Offset_side::OUTSIDE, 1, 4 * (4 - 2 * e) - 8 * 0.25);
+    check(geodesic, e / 2, Offset_side::OUTSIDE, 1, 4 * (4 - 2 * e) + CGAL_PI * e);
+    check(geodesic, 0.25, Offset_side::INSIDE, 1, 4 * (4 - 2 * e) - 8 * 0.25);
   }
 }
 

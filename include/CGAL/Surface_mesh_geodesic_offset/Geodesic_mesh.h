@@ -8,11 +8,14 @@
 
 #include <CGAL/Surface_mesh_geodesic_offset/Geodesic_plane_section.h>
 #include <CGAL/Surface_mesh_geodesic_offset/Geodesic_source_set.h>
+#include <CGAL/Surface_mesh_geodesic_offset/Offset_side.h>
 #include <CGAL/Surface_mesh_geodesic_offset/Surface_mesh_geodesic_offset_traits.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Polyline_joining.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Inner_sides.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/surface/Geodesic_mesh_data.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/surface/normal_angle.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/surface/own_maps.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/surface/source_classification.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/point_conversion.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Polyline_joining.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/surface/Plane_cutting.h>
@@ -30,6 +33,7 @@
 #include <array>
 #include <cstddef>
 #include <iterator>
+#include <map>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -416,6 +420,16 @@ public:
     if (!is_border(border, data().surface().tm))
       throw std::invalid_argument("Surface_mesh_geodesic_offset: the halfedge of a boundary cycle is not on the border");
     return edges_of_cycle(border);
+  }
+
+  /// the inner sides of all closed polylines of a set, by their ids; polylines as short as a point have none. Each polyline is taken by
+  /// itself. Takes time linear in the size of the mesh and of the polylines, and per polyline linear in the number of regions into
+  /// which all polylines together divide the vertices of the surface. Computes in `double`, also with exact number types.
+  /// \throws std::invalid_argument if a source does not fit the mesh
+  std::map<std::size_t, Geodesic_inner_side> inner_sides(const Source_set& sources) const
+  {
+    namespace internal = Geodesic_offset::internal;
+    return internal::Inner_sides<typename Surface::Number>(data().unfolded(), internal::classified_sources(data(), sources))();
   }
   /// @}
 

@@ -25,17 +25,35 @@ enum class Offset_side : unsigned char {
   BOTH,   ///< both sides of polylines
   LEFT,   ///< only points whose nearest source point is reached from the left of its polyline
   RIGHT,  ///< only points whose nearest source point is reached from the right of its polyline
-  INSIDE, ///< only points inside closed polylines: on the side with the smaller area; for a polyline that runs along the
-          ///< border all the way, on the side of the surface. The areas are estimated, by some 250 samples per face near the
-          ///< polyline: areas that differ by less than a few percent may be confused
+  INSIDE, ///< only points inside closed polylines, see `Geodesic_inner_side`
   OUTSIDE ///< only points outside closed polylines
 };
 
 /// \ingroup PkgSurfaceMeshGeodesicOffsetEnums
-/// the cap style at the ends of open polylines.
+/// the cap style at the ends of open polylines. The default is round where both sides are requested, and butt where one side is.
 enum class Offset_end : unsigned char {
   ROUND, ///< points beyond an end belong to the offset, whichever side is requested
   BUTT   ///< points beyond an end do not belong to the offset; the curve is open there
+};
+
+/*!
+\ingroup PkgSurfaceMeshGeodesicOffsetClasses
+
+\brief represents which side of a closed polyline is inside.
+
+If exactly one side contains no border of the surface, it is inside; otherwise the side with the smaller area is. Parts of the
+border along which the polyline runs count for neither side, nor does border of a length up to 1e-5 of that of the polyline. A
+polyline that is along the border as near as this has only one side, which is inside.
+*/
+struct Geodesic_inner_side
+{
+  Source_side side = Source_side::NONE; ///< left or right; none if the polyline does not divide its part of the surface in two
+  double inner_area = 0;                ///< the area inside
+  double outer_area = 0;                ///< the area outside, in the same part of the surface
+  bool is_by_area = false;              ///< whether the areas decide, and not the border
+
+  /// whether the areas decide, and the larger one exceeds the smaller one by at most a tenth.
+  bool is_doubtful() const { return is_by_area && 10 * (outer_area - inner_area) <= outer_area; }
 };
 
 } // namespace CGAL

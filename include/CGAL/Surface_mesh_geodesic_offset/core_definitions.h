@@ -17,6 +17,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Index_renumbering_impl.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Surface_locator_impl.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Unfolded_mesh_impl.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Inner_sides_impl.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/level_cutting_impl.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Polyline_joining_impl.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Source_set_impl.h>

@@ -27,7 +27,7 @@
 
 #define CGAL_GEODESIC_OFFSET_CUTTING_FUNCTIONS_OF(instantiation, Tag)                                                          \
   instantiation void cut_all_faces<Tag>(const Unfolded_mesh<double>&, const Geodesic_build<Epick_traits>&,                     \
-                                        const Epick_traits&, const Level_request<double>&, const Level_output<double>&);       \
+                                        const Level_request<double>&, const Level_output<double>&);                            \
   instantiation void cut_finalized_faces<Tag, ALL_PARTS>(const Unfolded_mesh<double>&, Geodesic_build<Epick_traits>&,          \
                                                          const Epick_traits&, const Level_request<double>&,                    \
                                                          const Level_output<double>&);
@@ -47,7 +47,9 @@
   instantiation class Surface_locator<Epick, double>;                                                                          \
   instantiation class Polyline_joining<Epick_traits, Epick>;
 
-#define CGAL_GEODESIC_OFFSET_SOURCE_FUNCTIONS(instantiation) instantiation class Source_set<double>;
+#define CGAL_GEODESIC_OFFSET_SOURCE_FUNCTIONS(instantiation)                                                                   \
+  instantiation class Source_set<double>;                                                                                      \
+  instantiation class Inner_sides<double>;
 
 #define CGAL_GEODESIC_OFFSET_FRONT_FUNCTIONS(instantiation)                                                                    \
   CGAL_GEODESIC_OFFSET_FRONT_FUNCTIONS_OF(instantiation, Sequential_tag)
@@ -74,6 +76,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/Surface_mesh_geodesic_offset_traits.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Geodesic_build.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Surface_locator.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Inner_sides.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/level_cutting.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Polyline_joining.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Bisector_diagram.h>

@@ -59,10 +59,18 @@ auto curve_writer(OutputIterator& out)
 template <class NamedParameters>
 Offset_selection offset_selection(const NamedParameters& np)
 {
-  using parameters::choose_parameter;
   using parameters::get_parameter;
-  return {choose_parameter(get_parameter(np, internal_np::geodesic_offset_side), Offset_side::BOTH),
-          choose_parameter(get_parameter(np, internal_np::geodesic_end_style), Offset_end::ROUND)};
+  Offset_selection result;
+  if constexpr (has_parameter<internal_np::geodesic_offset_side_t, NamedParameters>)
+  {
+    const auto& sides = get_parameter(np, internal_np::geodesic_offset_side);
+    if constexpr (std::is_convertible<decltype(sides), Offset_side>::value) result.side = sides;
+    else
+      for (const auto& [source, side] : sides) result.side_of_source[std::size_t(source)] = side;
+  }
+  if constexpr (has_parameter<internal_np::geodesic_end_style_t, NamedParameters>)
+    result.end = get_parameter(np, internal_np::geodesic_end_style);
+  return result;
 }
 
 // Calls f(distance, curves) for each level, in increasing order.
@@ -137,7 +145,7 @@ void cut_offset_curves(const Geodesic_mesh_data<Surface>& mesh, const Build& bui
   if (build.kept || levels.size() == 0)
   {
     Curve_output<Surface, Function> output(mesh.shared_surface, build, levels, f);
-    cut_all_faces<Concurrency_tag>(mesh.unfolded(), build, mesh.traits, {levels, selection},
+    cut_all_faces<Concurrency_tag>(mesh.unfolded(), build, {levels, selection},
                                    [&](std::size_t level, auto&& cut) { output.add(level, std::move(cut)); });
     output.finish();
     return;

@@ -202,6 +202,30 @@ bool position_in_face(const Unfolded_mesh<FT>& mesh, const Surface_point<FT>& p,
   return false;
 }
 
+// A face that contains both points, and their positions in it; no_index if there is none. One where both points lie on the same edge is
+// preferred, whose bit `edge` receives, or 0.
+template <class FT>
+Index face_of_both(const Unfolded_mesh<FT>& mesh, const Surface_point<FT>& p, const Surface_point<FT>& q,
+                   Point_in_face<FT>& at_p, Point_in_face<FT>& at_q, unsigned& edge)
+{
+  Index found = no_index;
+  for (Index f : faces_of(mesh, p))
+  {
+    Point_in_face<FT> a, b;
+    unsigned ea, eb;
+    if (!position_in_face(mesh, q, f, b, eb) || !position_in_face(mesh, p, f, a, ea)) continue;
+    if (found == no_index || (ea & eb))
+    {
+      found = f;
+      at_p = a;
+      at_q = b;
+      edge = ea & eb;
+    }
+    if (edge) break;
+  }
+  return found;
+}
+
 // Points of a face no farther apart than this are one point. Positions in a face have two products, and those of points on edges
 // the rounding of the edge: 8 units of rounding of the edges of the face.
 template <class FT>

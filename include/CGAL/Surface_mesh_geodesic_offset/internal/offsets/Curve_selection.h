@@ -9,7 +9,7 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/Offset_levels.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Inner_side.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Inner_sides.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Level_curves.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Shallow_loop.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Side_selection.h>
@@ -18,6 +18,7 @@
 #include <cstddef>
 #include <map>
 #include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -29,11 +30,12 @@ template <class FT>
 class Curve_selection
 {
 public:
-  // Propagates from each closed polyline if its inner or outer side is selected. All arguments must outlive this object.
-  template <class Build, class Traits>
-  Curve_selection(const Unfolded_mesh<FT>& mesh, const Build& build, const Traits& traits, const Level_request<FT>& request,
+  // All arguments must outlive this object.
+  template <class Build>
+  Curve_selection(const Unfolded_mesh<FT>& mesh, const Build& build, const Level_request<FT>& request,
                   const Level_output<FT>& out)
-    : m_levels(request.levels), m_select(request.selection, build.initial.primitives, inside(mesh, build, traits, request)),
+    : m_levels(request.levels),
+      m_select(request.selection, build.initial.primitives, inside(mesh, build.sources, request.selection)),
       m_is_shallow(mesh, build.field.distance), m_edge(mesh.mean_edge_length()), m_out(out)
   {
     // With a spacing below the rounding of distances, the number of levels would be practically unlimited.
@@ -56,12 +58,25 @@ public:
   }
 
 private:
-  template <class Build, class Traits>
-  static std::map<Index, Source_side> inside(const Unfolded_mesh<FT>& mesh, const Build& build, const Traits& traits,
-                                             const Level_request<FT>& request)
+  // Inner sides, if some are selected. Throws if a polyline has none.
+  static std::map<std::size_t, Geodesic_inner_side> inside(const Unfolded_mesh<FT>& mesh, const Source_set<FT>& sources,
+                                                           const Offset_selection& selection)
   {
-    if (!request.selection.needs_inner_sides()) return {};
-    return inner_sides(mesh, traits, build.sources);
+    typedef Source_set<FT> Set;
+    bool is_needed = false;
+    sources.for_each([&](std::size_t id, const typename Set::Source& s) {
+      is_needed = is_needed || (s.kind == Set::CLOSED_POLYLINE && selection.needs_inside_of(id));
+      if (s.kind == Set::OPEN_POLYLINE && selection.needs_inside_of(id))
+        throw std::invalid_argument("Surface_mesh_geodesic_offset: source " + std::to_string(id) +
+                                    " is an open polyline and has no inside");
+    });
+    if (!is_needed) return {};
+    std::map<std::size_t, Geodesic_inner_side> sides = Inner_sides<FT>(mesh, sources)();
+    for (const auto& [id, inner] : sides)
+      if (inner.side == Source_side::NONE && selection.needs_inside_of(id))
+        throw std::invalid_argument("Surface_mesh_geodesic_offset: source " + std::to_string(id) +
+                                    " does not divide the surface into an inside and an outside");
+    return sides;
   }
 
   const Offset_levels<FT>& m_levels;

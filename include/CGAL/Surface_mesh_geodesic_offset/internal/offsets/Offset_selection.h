@@ -10,6 +10,10 @@
 
 #include <CGAL/Surface_mesh_geodesic_offset/Offset_side.h>
 
+#include <cstddef>
+#include <map>
+#include <optional>
+
 namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
@@ -17,12 +21,30 @@ namespace internal {
 struct Offset_selection
 {
   Offset_side side = Offset_side::BOTH;
-  Offset_end end = Offset_end::ROUND;
+  std::optional<Offset_end> end = std::nullopt;
+  std::map<std::size_t, Offset_side> side_of_source = {}; // by id; those of the other sources are `side`
 
-  bool is_everything() const { return side == Offset_side::BOTH && end == Offset_end::ROUND; }
+  Offset_side side_of(std::size_t source) const
+  {
+    const auto it = side_of_source.find(source);
+    return it == side_of_source.end() ? side : it->second;
+  }
 
-  // True if the inner sides of closed polylines are needed.
-  bool needs_inner_sides() const { return side == Offset_side::INSIDE || side == Offset_side::OUTSIDE; }
+  Offset_end end_of(std::size_t source) const
+  {
+    return end.value_or(side_of(source) == Offset_side::BOTH ? Offset_end::ROUND : Offset_end::BUTT);
+  }
+
+  bool is_everything() const
+  {
+    return side == Offset_side::BOTH && side_of_source.empty() && end.value_or(Offset_end::ROUND) == Offset_end::ROUND;
+  }
+
+  // True if this is the inner or outer side of the source.
+  bool needs_inside_of(std::size_t source) const
+  {
+    return side_of(source) == Offset_side::INSIDE || side_of(source) == Offset_side::OUTSIDE;
+  }
 };
 
 } // namespace internal

@@ -13,6 +13,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Initial_windows.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <map>
 #include <utility>
 #include <vector>
@@ -24,27 +25,24 @@ namespace internal {
 class Side_selection
 {
 public:
-  // `inside`: inner side per closed polyline; needed only by selections that use it.
+  // `inside`: inner sides of closed polylines, by source id; of those that the selection needs.
   Side_selection(const Offset_selection& selection, const std::vector<Source_primitive>& primitives,
-                 std::map<Index, Source_side> inside)
+                 std::map<std::size_t, Geodesic_inner_side> inside)
     : m_selection(selection), m_primitives(primitives), m_inside(std::move(inside))
   {
   }
 
   bool operator()(Source_ref source_ref) const
   {
-    switch (source_ref.side())
-    {
-    case Source_side::NONE: return true;
-    case Source_side::CAP: return m_selection.end == Offset_end::ROUND;
-    default: break;
-    }
-    switch (m_selection.side)
+    if (source_ref.side() == Source_side::NONE) return true;
+    const std::size_t source = m_primitives[source_ref.primitive()].source;
+    if (source_ref.side() == Source_side::CAP) return m_selection.end_of(source) == Offset_end::ROUND;
+    switch (m_selection.side_of(source))
     {
     case Offset_side::LEFT: return source_ref.side() == Source_side::LEFT;
     case Offset_side::RIGHT: return source_ref.side() == Source_side::RIGHT;
-    case Offset_side::INSIDE: return is_inside(source_ref);
-    case Offset_side::OUTSIDE: return !is_inside(source_ref);
+    case Offset_side::INSIDE: return source_ref.side() == m_inside.at(source).side;
+    case Offset_side::OUTSIDE: return source_ref.side() != m_inside.at(source).side;
     default: return true;
     }
   }
@@ -74,14 +72,9 @@ public:
   }
 
 private:
-  bool is_inside(Source_ref source_ref) const
-  {
-    return m_inside.at(m_primitives[source_ref.primitive()].source) == source_ref.side();
-  }
-
   Offset_selection m_selection;
   const std::vector<Source_primitive>& m_primitives;
-  std::map<Index, Source_side> m_inside; // by source id
+  std::map<std::size_t, Geodesic_inner_side> m_inside;
 };
 
 } // namespace internal

@@ -43,7 +43,7 @@ struct Level_request
 // Cuts all faces at all levels. Levels without curves may be left out. Precondition: build.kept.
 // \throws std::invalid_argument if a side is selected that a polyline does not have, or if unlimited levels are too close
 template <class Concurrency_tag, class Traits>
-void cut_all_faces(const Unfolded_mesh<typename Traits::FT>& mesh, const Geodesic_build<Traits>& build, const Traits& traits,
+void cut_all_faces(const Unfolded_mesh<typename Traits::FT>& mesh, const Geodesic_build<Traits>& build,
                    const Level_request<typename Traits::FT>& request, const Level_output<typename Traits::FT>& out);
 
 // Propagates, and cuts the finalized faces at all levels. `parts` as in Geodesic_build::propagate().

@@ -23,11 +23,11 @@ namespace Geodesic_offset {
 namespace internal {
 
 template <class Concurrency_tag, class Traits>
-void cut_all_faces(const Unfolded_mesh<typename Traits::FT>& mesh, const Geodesic_build<Traits>& build, const Traits& traits,
+void cut_all_faces(const Unfolded_mesh<typename Traits::FT>& mesh, const Geodesic_build<Traits>& build,
                    const Level_request<typename Traits::FT>& request, const Level_output<typename Traits::FT>& out)
 {
   typedef typename Traits::FT FT;
-  const Curve_selection<FT> select(mesh, build, traits, request, out); // also without levels: checks the selection
+  const Curve_selection<FT> select(mesh, build, request, out); // also without levels: checks the selection
   if (request.levels.size() == 0) return;
   constexpr std::size_t at_once = 1 << 12; // faces per call of cut(), which lists them with their levels
   Offset_extraction<FT> extraction(mesh, build.initial, build.field, request.levels, build.maximum, build.request().tolerance);
@@ -50,7 +50,7 @@ void cut_finalized_faces(const Unfolded_mesh<typename Traits::FT>& mesh, Geodesi
                          const Level_request<typename Traits::FT>& request, const Level_output<typename Traits::FT>& out)
 {
   typedef typename Traits::FT FT;
-  const Curve_selection<FT> select(mesh, build, traits, request, out);
+  const Curve_selection<FT> select(mesh, build, request, out);
   Level_cutter<FT, typename Concurrency<Concurrency_tag, FT>::Team::Type> cutter(mesh, build, request.levels, select);
   build.template run<Concurrency_tag, parts>(traits, cutter);
   cutter.finish(build.maximum, build.statistics);

@@ -112,24 +112,8 @@ private:
   {
     s.first = p;
     s.second = q;
-    bool found = false;
-    for (Index f : faces_of(m_mesh, p))
-    {
-      Point a, b;
-      unsigned ea, eb;
-      if (!position_in_face(m_mesh, q, f, b, eb) || !position_in_face(m_mesh, p, f, a, ea)) continue;
-      // Prefer a face where both points lie on one edge.
-      if (!found || (ea & eb))
-      {
-        s.face = f;
-        s.a = a;
-        s.b = b;
-        s.edge = ea & eb;
-      }
-      found = true;
-      if (s.edge) break;
-    }
-    if (!found)
+    s.face = face_of_both(m_mesh, p, q, s.a, s.b, s.edge);
+    if (s.face == no_index)
       throw std::invalid_argument("Surface_mesh_geodesic_offset: point " + std::to_string(number) +
                                   " of a polyline and the next one have no face in common");
     if (p.kind == Surface_point_::VERTEX && q.kind == Surface_point_::VERTEX && p.element == q.element) return false;

@@ -57,19 +57,6 @@ public:
 
   Initial_windows<FT> initial_windows(const Unfolded_mesh<FT>& mesh) const;
 
-  // Calls f(id, is_closed, set with this source only, without its start value) for each polyline.
-  template <class Function>
-  void for_each_polyline(const Function& f) const
-  {
-    for (const auto& s : m_sources)
-    {
-      if (s.second.kind != OPEN_POLYLINE && s.second.kind != CLOSED_POLYLINE) continue;
-      Source_set alone;
-      alone.m_sources.insert(s).first->second.start_value = FT(0);
-      f(Index(s.first), s.second.kind == CLOSED_POLYLINE, alone);
-    }
-  }
-
 private:
   static void start(const Unfolded_mesh<FT>& mesh, const Source& s, Index id, Initial_windows<FT>& initial);
 
