@@ -271,9 +271,9 @@ public:
   ///
   /// \cgalNamedParamsBegin
   ///   \cgalParamNBegin{is_closed}
-  ///     \cgalParamDescription{whether the last point is joined to the first one}
+  ///     \cgalParamDescription{whether the last point is joined to the first one. The range may repeat the first point at its end.}
   ///     \cgalParamType{`bool`}
-  ///     \cgalParamDefault{`false`}
+  ///     \cgalParamDefault{`true` if the range repeats its first point at its end, see `polyline_closing()`}
   ///   \cgalParamNEnd
   ///   \cgalParamNBegin{start_value}
   ///     \cgalParamDescription{the start value}
@@ -289,7 +289,10 @@ public:
   {
     Source_set set;
     set.add_polyline(locations, np);
-    return add(set.sources().begin()->second);
+    Source source = set.sources().begin()->second;
+    if constexpr (!Geodesic_offset::internal::has_parameter<internal_np::geodesic_is_closed_t, NamedParameters>)
+      Geodesic_offset::internal::close_if_ends_meet(data(), source);
+    return add(std::move(source));
   }
 
   /// Overload for a polyline that is open or closed itself, such as the results of `locate_polyline()`, `join_polyline()` and

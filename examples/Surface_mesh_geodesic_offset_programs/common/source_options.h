@@ -11,6 +11,8 @@
 #include "common.h"
 #include "numbers.h"
 
+#include <CGAL/Surface_mesh_geodesic_offset/Offset_side.h>
+
 #include <array>
 #include <cstddef>
 #include <optional>
@@ -27,9 +29,11 @@ struct Source_options
   std::vector<std::size_t> source_vertices;
   std::vector<std::array<double, 3>> source_points;
   std::vector<std::string> source_polylines;
+  std::vector<std::optional<CGAL::Offset_side>> polyline_sides; // of the files; empty: none has its own
   std::vector<std::array<double, 4>> source_planes;
   std::vector<double> source_sharp_edges;
   bool source_boundary = false;
+  double close_gap = 0; // polylines with ends not farther apart are closed
   std::optional<std::array<double, 3>> projection; // direction in which points are put on the surface
   std::optional<std::array<double, 3>> boundary_near; // only the nearest boundary cycle
   std::optional<std::array<double, 3>> section_near; // only the nearest curve of each section
@@ -67,9 +71,10 @@ inline po::options_description source_options_description()
     "with --source-sharp-edges: only the chain of these edges that is nearest to this point; "
     "it ends where other than two of the edges meet")(
     "start-value", words("I,S"), "distances from source I, numbered as in .vtk files of offsets, begin at S instead of 0")(
+    "close-gap", word("L"), "also polylines whose ends are not farther apart than L are closed")(
     "project", word("X,Y,Z"),
     "put points on the surface along this direction, forwards or backwards, instead of to the nearest "
-    "point");
+    "point; all points of a polyline on faces to the same side of this direction, if possible");
   return sources;
 }
 
@@ -134,6 +139,8 @@ inline void read_source_options(const po::variables_map& map, Source_options& op
   if(options.sharp_edges_near && options.source_sharp_edges.empty())
     throw Usage_error("--sharp-edges-near needs --source-sharp-edges");
   options.projection = direction(map, "project");
+  options.close_gap = optional_positive_number(map, "close-gap").value_or(0);
+  if(options.close_gap > 0 && options.source_polylines.empty()) throw Usage_error("--close-gap needs --source-polyline");
   for(const std::string& w : option_words(map, "start-value"))
   {
     const std::size_t comma = w.find(',');

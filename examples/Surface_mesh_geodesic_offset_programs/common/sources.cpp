@@ -3,7 +3,9 @@
 
 #include "sources.h"
 
+#include <CGAL/Polygon_mesh_processing/compute_normal.h>
 #include <CGAL/Polygon_mesh_processing/locate.h>
+#include <CGAL/Surface_mesh_geodesic_offset/polyline_closing.h>
 
 #include <iterator>
 #include <optional>
@@ -62,6 +64,43 @@ std::vector<Edge> nearest_chain(const Mesh& mesh, const std::vector<Edge>& edges
   return chain;
 }
 
+// Where a line meets the surface.
+struct Hit
+{
+  Face_location location;
+  double distance; // from the point of the line
+  bool is_forward; // the normal of the face leads along the direction of the line
+};
+
+// The first hits forwards and backwards by increasing distance; all hits if `all`, of which there are few: a ray begins anew behind
+// each of them.
+std::vector<Hit> hits_of_line(const Geodesic_mesh& mesh, const Point& point, const std::array<double, 3>& projection, bool all)
+{
+  constexpr std::size_t most_hits = 64; // per ray; the skins of a part are far fewer
+  const double largest = std::max({std::abs(projection[0]), std::abs(projection[1]), std::abs(projection[2])});
+  const Vector direction(projection[0] / largest, projection[1] / largest, projection[2] / largest);
+  std::vector<Hit> hits;
+  for(const Vector& d : {direction, -direction})
+  {
+    Point start = point;
+    for(std::size_t i = 0; i < most_hits; ++i)
+    {
+      const std::optional<Face_location> hit = mesh.locate(Kernel::Ray_3(start, d));
+      if(!hit) break;
+      const Mesh& tm = mesh.triangle_mesh();
+      const Point on_surface = CGAL::Polygon_mesh_processing::construct_point(*hit, tm);
+      const Vector normal = CGAL::Polygon_mesh_processing::compute_face_normal(hit->first, tm);
+      hits.push_back({*hit, std::sqrt(CGAL::squared_distance(point, on_surface)), normal * direction > 0});
+      if(!all) break;
+      // behind the rounding of coordinates
+      const double size = std::abs(on_surface.x()) + std::abs(on_surface.y()) + std::abs(on_surface.z());
+      start = on_surface + (0x1p-40 * (size + hits.back().distance)) * d;
+    }
+  }
+  std::stable_sort(hits.begin(), hits.end(), [](const Hit& a, const Hit& b) { return a.distance < b.distance; });
+  return hits;
+}
+
 } // namespace
 
 Face_location put_on_surface(const Geodesic_mesh& mesh, const Point& point, const Source_options& options, Moved_points& moved,
@@ -75,21 +114,38 @@ Face_location put_on_surface(const Geodesic_mesh& mesh, const Point& point, cons
     moved.add(located.second, name);
     return located.first;
   }
-  const std::array<double, 3>& p = *options.projection;
-  const double largest = std::max({std::abs(p[0]), std::abs(p[1]), std::abs(p[2])});
-  const Vector direction(p[0] / largest, p[1] / largest, p[2] / largest);
-  std::optional<Face_location> nearest;
-  double least = infinity;
-  for(const Vector& d : {direction, -direction})
-    if(const std::optional<Face_location> hit = mesh.locate(Kernel::Ray_3(point, d)))
-    {
-      const Point on_surface = CGAL::Polygon_mesh_processing::construct_point(*hit, mesh.triangle_mesh());
-      const double distance = CGAL::squared_distance(point, on_surface);
-      if(distance < least) nearest = hit;
-      least = std::min(least, distance);
-    }
-  if(!nearest) throw Input_error(name() + ": the line along --project through this point misses the surface");
-  return *nearest;
+  const std::vector<Hit> hits = hits_of_line(mesh, point, *options.projection, false);
+  if(hits.empty()) throw Input_error(name() + ": the line along --project through this point misses the surface");
+  return hits.front().location;
+}
+
+std::vector<Face_location> put_on_surface(const Geodesic_mesh& mesh, const std::vector<Point>& points,
+                                          const Source_options& options, Moved_points& moved,
+                                          const std::function<std::string(std::size_t)>& name)
+{
+  std::vector<Face_location> result;
+  for(std::size_t i = 0; i < points.size(); ++i)
+    result.push_back(put_on_surface(mesh, points[i], options, moved, [&] { return name(i); }));
+  if(!options.projection) return result;
+  std::vector<std::array<std::optional<Hit>, 2>> nearest; // of each side, by point
+  double sum[2] = {0, 0};
+  std::size_t number[2] = {0, 0};
+  for(const Point& point : points)
+  {
+    nearest.emplace_back();
+    for(const Hit& hit : hits_of_line(mesh, point, *options.projection, true))
+      if(std::optional<Hit>& known = nearest.back()[hit.is_forward ? 1 : 0]; !known) known = hit;
+    for(const std::size_t k : {0, 1})
+      if(nearest.back()[k])
+      {
+        ++number[k];
+        sum[k] += nearest.back()[k]->distance;
+      }
+  }
+  const std::size_t side = std::make_pair(number[0], -sum[0]) < std::make_pair(number[1], -sum[1]) ? 1 : 0;
+  for(std::size_t i = 0; i < points.size(); ++i)
+    if(nearest[i][side]) result[i] = nearest[i][side]->location;
+  return result;
 }
 
 std::vector<Vertex> vertices_at(const Mesh_input& input, std::size_t i, const std::string& option, const std::string& mesh_file)
@@ -117,8 +173,10 @@ Sources::Sources(const Mesh_input& input, const Source_options& options, const G
     m_points.push_back(put_on_surface(geodesic, Point(p[0], p[1], p[2]), options, m_moved, [&] {
       return "--source-point " + short_number(p[0]) + ',' + short_number(p[1]) + ',' + short_number(p[2]);
     }));
-  for(const std::string& file : options.source_polylines)
-    for(const File_polyline& polyline : read_polylines(file)) add_polyline(polyline, file, options);
+  for(std::size_t i = 0; i < options.source_polylines.size(); ++i)
+    for(const File_polyline& polyline : read_polylines(options.source_polylines[i]))
+      add_polyline(polyline, options.source_polylines[i],
+                   options.polyline_sides.empty() ? std::nullopt : options.polyline_sides[i], options);
   for(const std::array<double, 4>& plane : options.source_planes) add_plane(plane, options);
   if(options.source_boundary) add_boundary(options);
   for(double degrees : options.source_sharp_edges) add_sharp_edges(degrees, options);
@@ -146,33 +204,51 @@ std::vector<std::vector<Point>> Sources::polylines() const
   return polylines;
 }
 
+double Sources::length_of(const Surface_polyline& polyline) const
+{
+  double length = 0;
+  for(std::size_t i = 1; i < polyline.locations.size(); ++i)
+    length += std::sqrt(CGAL::squared_distance(point_of(polyline.locations[i - 1]), point_of(polyline.locations[i])));
+  return length;
+}
+
 Point Sources::point_of(const Face_location& location) const
 {
   return CGAL::Polygon_mesh_processing::construct_point(location, m_mesh);
 }
 
-void Sources::add_polyline(const File_polyline& from, const std::string& file, const Source_options& options)
+void Sources::add_polyline(const File_polyline& from, const std::string& file, const std::optional<CGAL::Offset_side>& side,
+                           const Source_options& options)
 {
   const auto name = [&](std::size_t i) { return "point " + std::to_string(i); };
   const std::string line = quoted(file) + ", line " + std::to_string(from.line);
   const std::size_t n = from.points.size();
+  const double gap = std::sqrt(CGAL::squared_distance(from.points.front(), from.points.back()));
+  const CGAL::Polyline_closing closing = CGAL::polyline_closing(from.points, options.close_gap);
   Surface_polyline polyline;
-  polyline.is_closed = (n > 3 && from.points.front() == from.points.back());
+  polyline.is_closed = closing == CGAL::Polyline_closing::CLOSED;
+  if(polyline.is_closed && gap > 0) m_remarks.push_back(line + ": closed, its ends are " + short_number(gap) + " apart");
+  if(closing == CGAL::Polyline_closing::NEARLY_CLOSED)
+    m_warnings.push_back(line + ": open, although its ends are only " + short_number(gap) + " apart; --close-gap " +
+                         short_number(gap * (1 + 1e-5)) /* not less after rounding to 6 digits */ + " closes it");
+  std::vector<Point> points = from.points;
+  if(polyline.is_closed) points.pop_back();
+  std::vector<Face_location> located =
+    put_on_surface(m_geodesic, points, options, m_moved, [&](std::size_t i) { return line + ": " + name(i); });
+  if(polyline.is_closed) located.push_back(located.front());
+  Detours detours(from.points);
   for(std::size_t i = 0; i < n; ++i)
   {
-    const bool last_of_closed = polyline.is_closed && i + 1 == n;
-    const Face_location location =
-      last_of_closed ? polyline.locations.front()
-                     : put_on_surface(m_geodesic, from.points[i], options, m_moved, [&] { return line + ": " + name(i); });
     if(polyline.locations.empty())
     {
-      polyline.locations.push_back(location);
+      polyline.locations.push_back(located[i]);
       continue;
     }
     try
     {
-      const std::array<Face_location, 2> ends = {polyline.locations.back(), location};
+      const std::array<Face_location, 2> ends = {polyline.locations.back(), located[i]};
       const Surface_polyline path = m_geodesic.join_polyline(ends);
+      detours.add(i - 1, length_of(path));
       polyline.locations.insert(polyline.locations.end(), path.locations.begin() + 1, path.locations.end());
     }
     catch(const std::invalid_argument&)
@@ -181,19 +257,21 @@ void Sources::add_polyline(const File_polyline& from, const std::string& file, c
                         ": they are on different parts of the surface");
     }
   }
+  if(const std::string detour = detours.warning(); !detour.empty()) m_warnings.push_back(line + ": " + detour);
   // in closed polylines the first location is not repeated
   if(polyline.is_closed && polyline.locations.size() > 1) polyline.locations.pop_back();
   if(polyline.locations.size() < 3) polyline.is_closed = false;
   if(polyline.locations.size() == 1)
     m_points.push_back(polyline.locations.front());
   else
-    add(std::move(polyline), line);
+    add(std::move(polyline), line, side);
 }
 
-void Sources::add(Surface_polyline polyline, const std::string& name)
+void Sources::add(Surface_polyline polyline, const std::string& name, const std::optional<CGAL::Offset_side>& side)
 {
   m_polylines.push_back(std::move(polyline));
   m_polyline_names.push_back(name);
+  m_polyline_sides.push_back(side);
 }
 
 void Sources::add_plane(const std::array<double, 4>& plane, const Source_options& options)

@@ -16,6 +16,8 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -64,10 +66,63 @@ public:
   }
 };
 
+// Paths on the surface between consecutive points of a polyline that are much longer than the distance of the points in space.
+class Detours
+{
+  // Times the distance in space. A path over an edge of 60 degrees is as long as this; one around a half circle is 1.57 times as long.
+  static constexpr double factor = 2;
+  // Fraction of the length of the polyline: shorter detours are due to points that are nearly the same.
+  static constexpr double least = 1e-4;
+
+  const std::vector<Point>& m_points;
+  double m_length = 0;
+  std::size_t m_number = 0, m_worst = 0;
+  double m_worst_path = 0, m_worst_distance = 0;
+
+public:
+  explicit Detours(const std::vector<Point>& points) : m_points(points)
+  {
+    for(std::size_t i = 1; i < points.size(); ++i) m_length += distance(i - 1);
+  }
+
+  // The length of the path from a point to the next one.
+  void add(std::size_t i, double path)
+  {
+    const double direct = distance(i);
+    if(!(path > factor * direct && path > least * m_length)) return;
+    ++m_number;
+    if(!(path - direct > m_worst_path - m_worst_distance)) return;
+    m_worst = i;
+    m_worst_path = path;
+    m_worst_distance = direct;
+  }
+
+  // Empty if there are none.
+  std::string warning() const
+  {
+    if(m_number == 0) return std::string();
+    const Point& p = m_points[m_worst];
+    return "from point " + std::to_string(m_worst) + " at " + short_number(p.x()) + ',' + short_number(p.y()) + ',' +
+           short_number(p.z()) + " to the next one the path on the surface has length " + short_number(m_worst_path) +
+           ", their distance in space is " + short_number(m_worst_distance) +
+           (m_number == 1 ? std::string() : "; so have " + std::to_string(m_number - 1) + " more") +
+           "; are they on different sides of a thin part or of an edge? --project puts them on one side";
+  }
+
+private:
+  double distance(std::size_t i) const { return std::sqrt(CGAL::squared_distance(m_points[i], m_points[i + 1])); }
+};
+
 // Nearest point of the surface, or that along the projection of the options. name(): name of the point for messages. Throws
 // Input_error.
 Face_location put_on_surface(const Geodesic_mesh& mesh, const Point& point, const Source_options& options, Moved_points& moved,
                              const std::function<std::string()>& name);
+
+// The points of a polyline, as above. With a projection all are put on faces whose normals lead to the same side of its direction, that
+// where they are nearer in all; points whose lines meet no such face are put where the surface is met first.
+std::vector<Face_location> put_on_surface(const Geodesic_mesh& mesh, const std::vector<Point>& points,
+                                          const Source_options& options, Moved_points& moved,
+                                          const std::function<std::string(std::size_t)>& name);
 
 // Vertices of the mesh at a vertex of the file, at least one. `option`: for messages. Throws Input_error.
 std::vector<Vertex> vertices_at(const Mesh_input& input, std::size_t i, const std::string& option,
@@ -83,9 +138,11 @@ class Sources
   std::vector<Face_location> m_points;
   std::vector<Surface_polyline> m_polylines;
   std::vector<std::string> m_polyline_names;
+  std::vector<std::optional<CGAL::Offset_side>> m_polyline_sides; // where given
   std::vector<std::vector<Edge>> m_boundary_cycles; // empty: not a source
   std::vector<std::vector<Edge>> m_edges;
   std::vector<std::string> m_remarks;
+  std::vector<std::string> m_warnings;
   std::vector<double> m_start_values; // of all sources
   Moved_points m_moved;
 
@@ -129,6 +186,17 @@ public:
     });
   }
 
+  // Sides of all polylines by their source ids. `side`: of those without their own.
+  std::map<std::size_t, CGAL::Offset_side> sides(CGAL::Offset_side side) const
+  {
+    std::map<std::size_t, CGAL::Offset_side> result;
+    for(std::size_t i = 0; i < m_polylines.size(); ++i) result[first_polyline() + i] = m_polyline_sides[i].value_or(side);
+    return result;
+  }
+
+  // Source id of the first polyline.
+  std::size_t first_polyline() const { return m_vertices.size() + m_points.size(); }
+
   const Mesh& mesh() const { return m_mesh; }
 
   const std::vector<Surface_polyline>& surface_polylines() const { return m_polylines; }
@@ -137,6 +205,7 @@ public:
   const std::string& name_of_polyline(std::size_t i) const { return m_polyline_names[i]; }
 
   const std::vector<std::string>& remarks() const { return m_remarks; }
+  const std::vector<std::string>& warnings() const { return m_warnings; }
   const Moved_points& moved_points() const { return m_moved; }
 
   Point point_of(const Face_location& location) const;
@@ -147,6 +216,8 @@ public:
   std::vector<std::vector<Point>> polylines() const;
 
 private:
+  double length_of(const Surface_polyline& polyline) const;
+
   template <class Function>
   void for_each_edge(const Function& f) const
   {
@@ -163,9 +234,10 @@ private:
       f(v, start + std::sqrt(CGAL::squared_distance(point, m_mesh.point(v))));
   }
 
-  void add_polyline(const File_polyline& from, const std::string& file, const Source_options& options);
+  void add_polyline(const File_polyline& from, const std::string& file, const std::optional<CGAL::Offset_side>& side,
+                    const Source_options& options);
 
-  void add(Surface_polyline polyline, const std::string& name);
+  void add(Surface_polyline polyline, const std::string& name, const std::optional<CGAL::Offset_side>& side = std::nullopt);
 
   void add_plane(const std::array<double, 4>& plane, const Source_options& options);
 

@@ -85,6 +85,7 @@ Sources find_sources(const Mesh_input& input, const Options& options, Geodesic& 
   Sources sources(input, options, geodesic.mesh());
   sources.add_to(geodesic);
   for(const std::string& remark : sources.remarks()) progress.line("sources: " + remark);
+  for(const std::string& warning : sources.warnings()) progress.warning(warning);
   report(sources.moved_points(), input, "sources", progress);
   if(options.maximum_distance && *options.maximum_distance <= sources.smallest_start_value())
     throw Input_error("--maximum-distance " + short_number(*options.maximum_distance) +
@@ -210,6 +211,7 @@ void write(const Solution& solution, const Mesh_input& input, const Sources& sou
   const std::vector<Surface_path> paths = queries.paths(geodesic, progress);
   for(const std::string& file : options.path_outputs)
     files.add(file, [&](std::ostream& out) { write_paths(out, file, paths); });
+  if(!options.source_output.empty()) files.add(options.source_output, [&](std::ostream& out) { write_sources(out, sources); });
   if(!options.picture.empty())
   {
     const Image image =
@@ -248,6 +250,7 @@ void run(const Options& options, Concurrency_tag tag)
                      counted(figures.unreached_vertices, "vertex is", "vertices are") + " not reached");
   const Path_queries queries(input, options, geodesic.mesh());
   report(queries.moved_points(), input, "paths", progress);
+  figures.insides = find_insides(options, sources, geodesic, progress);
   figures.setup_seconds = setup_time.seconds();
   progress.line("sources: " + counted(geodesic.number_of_sources(), "source"), figures.setup_seconds);
 

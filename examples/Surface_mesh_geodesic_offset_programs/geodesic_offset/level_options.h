@@ -17,15 +17,6 @@
 
 namespace geodesic_offset {
 
-// The part of an offset that is written.
-struct Selection
-{
-  CGAL::Offset_side side = CGAL::Offset_side::BOTH;
-  CGAL::Offset_end end = CGAL::Offset_end::ROUND;
-
-  bool is_everything() const { return side == CGAL::Offset_side::BOTH && end == CGAL::Offset_end::ROUND; }
-};
-
 struct Level_options
 {
   std::vector<double> distances;
@@ -37,7 +28,8 @@ struct Level_options
   double merging_tolerance = 0;
   std::string side; // empty: not given
   std::string end; // empty: not given
-  Selection selection;
+  CGAL::Offset_side selected_side = CGAL::Offset_side::BOTH; // of polylines without their own side
+  std::optional<CGAL::Offset_end> selected_end;
 
   bool has_levels() const { return !distances.empty() || spacing; }
 
@@ -64,38 +56,32 @@ inline po::options_description level_options_description()
     "distances may be smaller than the exact ones by a fraction T of them, which saves time on fine "
     "smooth meshes; --stats has the bound that was reached")("merging-tolerance", word("L"),
                                                              "distances may be smaller than the exact ones by a length L")(
-    "side", word("SIDE"), "side of polylines and sections: both (default), left, right, or of closed ones inside, outside")(
+    "side", word("SIDE"),
+    "side of polylines and sections: both (default), left, right, or of closed ones inside, which is the side without border of "
+    "the surface or else of smaller area, outside")(
     "end", word("END"),
-    "offsets beyond the ends of open polylines: round (default with both sides) or butt, which means "
-    "none (default with one side)");
+    "offsets beyond the ends of open polylines: round (default of both sides) or butt, which means "
+    "none (default of one side)");
   return levels;
 }
 
-inline Selection selection(const std::string& side, const std::string& end)
+// Empty if the word is no side.
+inline std::optional<CGAL::Offset_side> offset_side(const std::string& word)
 {
-  using CGAL::Offset_end;
   using CGAL::Offset_side;
-  Selection result;
-  if(side == "left")
-    result.side = Offset_side::LEFT;
-  else if(side == "right")
-    result.side = Offset_side::RIGHT;
-  else if(side == "inside")
-    result.side = Offset_side::INSIDE;
-  else if(side == "outside")
-    result.side = Offset_side::OUTSIDE;
-  else if(!side.empty() && side != "both")
-    throw Usage_error("--side must be left, right, both, inside or outside, not " + quoted(side));
+  if(word == "both") return Offset_side::BOTH;
+  if(word == "left") return Offset_side::LEFT;
+  if(word == "right") return Offset_side::RIGHT;
+  if(word == "inside") return Offset_side::INSIDE;
+  if(word == "outside") return Offset_side::OUTSIDE;
+  return std::nullopt;
+}
 
-  // points beyond an end are on neither side
-  result.end = (result.side == Offset_side::BOTH) ? Offset_end::ROUND : Offset_end::BUTT;
-  if(end == "round")
-    result.end = Offset_end::ROUND;
-  else if(end == "butt")
-    result.end = Offset_end::BUTT;
-  else if(!end.empty())
-    throw Usage_error("--end must be round or butt, not " + quoted(end));
-  return result;
+inline std::optional<CGAL::Offset_end> offset_end(const std::string& word)
+{
+  if(word.empty()) return std::nullopt;
+  if(word != "round" && word != "butt") throw Usage_error("--end must be round or butt, not " + quoted(word));
+  return word == "round" ? CGAL::Offset_end::ROUND : CGAL::Offset_end::BUTT;
 }
 
 inline void read_level_options(const po::variables_map& map, Level_options& options)
@@ -111,7 +97,13 @@ inline void read_level_options(const po::variables_map& map, Level_options& opti
   options.merging_tolerance = optional_positive_number(map, "merging-tolerance").value_or(0);
   options.side = option_word(map, "side");
   options.end = option_word(map, "end");
-  options.selection = selection(options.side, options.end);
+  if(!options.side.empty())
+  {
+    const std::optional<CGAL::Offset_side> side = offset_side(options.side);
+    if(!side) throw Usage_error("--side must be left, right, both, inside or outside, not " + quoted(options.side));
+    options.selected_side = *side;
+  }
+  options.selected_end = offset_end(options.end);
 
   for(const char* option : {"start", "count"})
     if(map.count(option) && !options.spacing) throw Usage_error("--" + std::string(option) + " needs --spacing");

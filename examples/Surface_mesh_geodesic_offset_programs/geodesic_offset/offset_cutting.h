@@ -133,28 +133,6 @@ inline bool needs_all_curves(const Options& options)
          !std::all_of(options.outputs.begin(), options.outputs.end(), Level_files::supports);
 }
 
-// Throws Input_error that names the first polyline without inside.
-inline void check_insides(const Sources& sources)
-{
-  const std::vector<Surface_polyline>& polylines = sources.surface_polylines();
-  for(std::size_t i = 0; i < polylines.size(); ++i)
-  {
-    if(!polylines[i].is_closed) throw Input_error(sources.name_of_polyline(i) + ": an open polyline has no inside");
-    Geodesic alone(sources.mesh());
-    alone.add_source_polyline(polylines[i].locations, CGAL::parameters::is_closed(true));
-    try
-    {
-      alone.build_with_offset_curves_by_distance(
-        std::vector<double>(), [](double, std::vector<Offset_curve>&&) {},
-        CGAL::parameters::offset_side(CGAL::Offset_side::INSIDE).distance_limit(0.));
-    }
-    catch(const std::invalid_argument&)
-    {
-      throw Input_error(sources.name_of_polyline(i) + ": this curve does not divide the surface into an inside and an outside");
-    }
-  }
-}
-
 } // namespace internal
 
 // Limit of computed distances: unless the whole surface is needed, the largest offset distance.
@@ -188,19 +166,10 @@ Offsets build_and_cut(Geodesic& geodesic, const Sources& sources, const Levels& 
     geodesic.build(parameters.concurrency_tag(Concurrency_tag()));
     return offsets;
   }
-  try
-  {
-    geodesic.build_with_offset_curves_by_distance(
-      levels.distances(), collector,
-      parameters.offset_side(options.selection.side).end_style(options.selection.end).concurrency_tag(Concurrency_tag()));
-  }
-  catch(const std::invalid_argument&)
-  {
-    // name polylines by their files instead of their numbers
-    if(options.selection.side == CGAL::Offset_side::INSIDE || options.selection.side == CGAL::Offset_side::OUTSIDE)
-      internal::check_insides(sources);
-    throw;
-  }
+  geodesic.build_with_offset_curves_by_distance(levels.distances(), collector,
+                                                parameters.offset_side(sources.sides(options.selected_side))
+                                                  .end_style(options.selected_end)
+                                                  .concurrency_tag(Concurrency_tag()));
   return offsets;
 }
 

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Reasons for missing offsets.
+// Inner sides, and reasons for missing offsets.
 
 #ifndef GEODESIC_OFFSET_OFFSET_REPORT_H
 #define GEODESIC_OFFSET_OFFSET_REPORT_H
@@ -12,9 +12,11 @@
 #include "curve_files.h"
 #include "levels.h"
 #include "options.h"
+#include "progress.h"
 
 #include <algorithm>
 #include <cstddef>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -23,8 +25,54 @@ namespace geodesic_offset {
 // Warning about --side if no source has sides; otherwise empty.
 inline std::string useless_side(const Options& options, const Sources& sources)
 {
-  if(options.selection.side == CGAL::Offset_side::BOTH || sources.has_polylines()) return std::string();
+  if(options.selected_side == CGAL::Offset_side::BOTH || sources.has_polylines()) return std::string();
   return "--side " + options.side + " has no effect: only polylines and sections have sides, and there are none";
+}
+
+// The inner sides of the polylines that are offset inside or outside, by source id; for each a line, and a warning if it is in doubt.
+// Throws Input_error that names the first polyline without inside.
+inline std::map<std::size_t, CGAL::Geodesic_inner_side> find_insides(const Options& options, const Sources& sources,
+                                                                     const Geodesic& geodesic, Progress& progress)
+{
+  constexpr std::size_t most_lines = 20; // per kind; more would hide the other lines
+  std::map<std::size_t, CGAL::Geodesic_inner_side> result;
+  std::vector<std::size_t> needed;
+  for(const auto& [id, side] : sources.sides(options.selected_side))
+    if(side == CGAL::Offset_side::INSIDE || side == CGAL::Offset_side::OUTSIDE)
+    {
+      const std::size_t i = id - sources.first_polyline();
+      if(!sources.surface_polylines()[i].is_closed)
+        throw Input_error(sources.name_of_polyline(i) + ": an open polyline has no inside");
+      needed.push_back(id);
+    }
+  if(needed.empty()) return result;
+  const std::map<std::size_t, CGAL::Geodesic_inner_side> all = geodesic.inner_sides();
+  std::size_t left = 0, doubtful = 0;
+  for(const std::size_t id : needed)
+  {
+    const auto it = all.find(id);
+    if(it == all.end()) continue; // as short as a point
+    const CGAL::Geodesic_inner_side& inner = it->second;
+    const std::string& name = sources.name_of_polyline(id - sources.first_polyline());
+    if(inner.side == CGAL::Source_side::NONE)
+      throw Input_error(name + ": this curve does not divide the surface into an inside and an outside");
+    result.insert(*it);
+    const bool is_left = inner.side == CGAL::Source_side::LEFT;
+    left += is_left ? 1 : 0;
+    const std::string areas = "area " + short_number(inner.inner_area) + ", outside " + short_number(inner.outer_area);
+    if(needed.size() <= most_lines)
+      progress.line(name + ": inside = " + (is_left ? "left" : "right") + ", the side " +
+                    (inner.is_by_area ? "of smaller area" : "without border") + " (" + areas + ")");
+    if(inner.is_doubtful() && ++doubtful <= most_lines)
+      progress.warning(name + ": inside = " + (is_left ? "left" : "right") +
+                       " is in doubt, as both sides have about the same area (" + areas +
+                       "); --side left and --side right are certain");
+  }
+  if(needed.size() > most_lines)
+    progress.line("sources: inside = left for " + counted(left, "polyline") + ", right for " +
+                  std::to_string(result.size() - left));
+  if(doubtful > most_lines) progress.warning(counted(doubtful, "polyline") + " in all whose inside is in doubt");
+  return result;
 }
 
 namespace internal {
@@ -56,7 +104,7 @@ inline std::vector<std::string> missing_offsets(const Options& options, const Le
       before_start.push_back(distance);
     else if(distance > options.maximum_distance.value_or(infinity))
       beyond_maximum.push_back(distance);
-    else if(distance > reach || options.selection.is_everything())
+    else if(distance > reach || options.takes_everything())
       beyond_surface.push_back(distance);
     else
       not_selected.push_back(distance);

@@ -16,7 +16,9 @@
 #include "query_options.h"
 #include "threads.h"
 
+#include <algorithm>
 #include <cstddef>
+#include <filesystem>
 #include <optional>
 #include <ostream>
 #include <string>
@@ -38,6 +40,17 @@ struct Options : Source_options, Level_options, Query_options, Output_options
     std::vector<std::string> result = Output_options::files_written();
     result.insert(result.end(), path_outputs.begin(), path_outputs.end());
     return result;
+  }
+
+  // Whether offsets are written on both sides of all sources, with round ends.
+  bool takes_everything() const
+  {
+    const auto is_both = [](const std::optional<CGAL::Offset_side>& side) {
+      return side.value_or(CGAL::Offset_side::BOTH) == CGAL::Offset_side::BOTH;
+    };
+    return selected_side == CGAL::Offset_side::BOTH &&
+           selected_end.value_or(CGAL::Offset_end::ROUND) == CGAL::Offset_end::ROUND &&
+           std::all_of(polyline_sides.begin(), polyline_sides.end(), is_both);
   }
 
   // Whether distances are needed on the whole surface.
@@ -84,17 +97,33 @@ inline void check_tolerances(const po::variables_map& map, const Options& option
         throw Usage_error("--" + std::string(tolerance) + " cannot be used with --" + option + ", which needs exact distances");
 }
 
+// Takes the sides off names such as FILE:left, unless there is a file with the whole name.
+inline void read_polyline_sides(Options& options)
+{
+  for(std::string& file : options.source_polylines)
+  {
+    const std::size_t colon = file.rfind(':');
+    std::optional<CGAL::Offset_side> side;
+    if(colon != std::string::npos && colon > 0 && !std::filesystem::exists(file)) side = offset_side(file.substr(colon + 1));
+    if(side && !options.has_levels())
+      throw Usage_error("--source-polyline " + quoted(file) + ": a side needs --distance or --spacing");
+    if(side) file.resize(colon);
+    options.polyline_sides.push_back(side);
+  }
+}
+
 inline Options checked_options(const po::variables_map& map)
 {
   Options options;
   read_source_options(map, options);
   read_level_options(map, options);
+  read_polyline_sides(options);
   read_query_options(map, options);
   read_output_options(map, options);
   options.threads = number_of_threads(map);
   options.borders = border_joining(map);
   options.quiet = map["quiet"].as<bool>();
-  if(!options.split.empty() && !options.selection.is_everything())
+  if(!options.split.empty() && !options.takes_everything())
     throw Usage_error("--split needs the offsets on both sides with round ends, without --side and --end");
   check_tolerances(map, options);
   check_different_files(options.files_read(), options.files_written());

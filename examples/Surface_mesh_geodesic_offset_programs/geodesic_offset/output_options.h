@@ -25,6 +25,7 @@ struct Output_options
   bool field_details = false; // sources, sides and gradients in the field
   std::string split; // the mesh split along the offsets
   std::vector<std::string> voronoi; // curves between cells, or the mesh split along them
+  std::string source_output; // polylines, sections and edges as they are on the surface
   std::string picture;
   std::string stats;
   std::optional<double> tolerance;
@@ -36,7 +37,7 @@ struct Output_options
   {
     std::vector<std::string> result = outputs;
     result.insert(result.end(), voronoi.begin(), voronoi.end());
-    for(const std::string& file : {field, split, picture, stats})
+    for(const std::string& file : {field, split, source_output, picture, stats})
       if(!file.empty()) result.push_back(file);
     return result;
   }
@@ -67,6 +68,7 @@ inline po::options_description output_options_description()
     "voronoi", words("FILE"),
     "the curves between the cells of the sources as .polylines.txt or .vtk; or, as .ply, the mesh "
     "split along them, its faces with their source and its colour (repeatable)")(
+    "source-output", word("FILE.polylines.txt"), "polylines, sections and edges of the sources as they are on the surface")(
     "picture", word("FILE.png"), "the mesh coloured by distance, with sources and offsets drawn on it")(
     "view", word("X,Y,Z"), "direction from the mesh to the viewer of the picture")(
     "up", word("X,Y,Z"), "direction that points up in the picture (default: 0,1,0)")("stats", word("FILE.json"),
@@ -115,6 +117,7 @@ inline void check_outputs(const po::variables_map& map, const Output_options& op
       throw Usage_error("--voronoi " + quoted(file) + " must end in .polylines.txt, .vtk or .ply");
   if(!options.voronoi.empty() && map.count("maximum-distance"))
     throw Usage_error("--voronoi needs all distances, without --maximum-distance");
+  check_extension("source-output", options.source_output, ".polylines.txt");
   check_extension("picture", options.picture, ".png");
   check_extension("stats", options.stats, ".json");
 
@@ -139,6 +142,7 @@ inline void read_output_options(const po::variables_map& map, Output_options& op
   options.field_details = map["field-details"].as<bool>();
   options.split = option_word(map, "split");
   options.voronoi = option_words(map, "voronoi");
+  options.source_output = option_word(map, "source-output");
   options.picture = option_word(map, "picture");
   options.stats = option_word(map, "stats");
   options.tolerance = optional_positive_number(map, "tolerance");

@@ -7,10 +7,13 @@
 #define GEODESIC_OFFSET_POLYLINE_OUTPUT_H
 
 #include "common/common.h"
+#include "common/sources.h"
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <ostream>
+#include <utility>
 #include <vector>
 
 namespace geodesic_offset {
@@ -24,6 +27,18 @@ void write_polylines(std::ostream& out, const std::vector<Polyline>& polylines)
     for(const Point& p : polyline.points) out << ' ' << p;
     out << '\n';
   }
+}
+
+inline void write_sources(std::ostream& out, const Sources& sources)
+{
+  struct Polyline
+  {
+    std::vector<Point> points;
+  };
+  out.precision(std::numeric_limits<double>::max_digits10);
+  std::vector<Polyline> polylines;
+  for(std::vector<Point>& points : sources.polylines()) polylines.push_back({std::move(points)});
+  write_polylines(out, polylines);
 }
 
 // The cell data may follow. A closed polyline, which ends with its first point, has this point once. A polyline of one point is a

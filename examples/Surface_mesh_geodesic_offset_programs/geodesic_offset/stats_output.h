@@ -17,6 +17,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <optional>
 #include <ostream>
 #include <vector>
@@ -38,6 +39,7 @@ struct Run_figures
   double largest_distance = 0; // of the surface, up to the covered distance
   double covered_distance = infinity; // all distances up to it are known
   std::optional<Point> farthest_point; // if requested
+  std::map<std::size_t, CGAL::Geodesic_inner_side> insides; // by source, of polylines that are offset inside or outside
   bool has_tolerance = false; // whether distances may be smaller than the exact ones
 };
 
@@ -104,8 +106,21 @@ inline void write_stats(std::ostream& out, const Run_figures& run, const Geodesi
   if(run.farthest_point)
     out << "  \"farthest_point\": [" << run.farthest_point->x() << ", " << run.farthest_point->y() << ", "
         << run.farthest_point->z() << "],\n";
-  out << "  \"curves\": [";
   const char* separator = "\n";
+  if(!run.insides.empty())
+  {
+    out << "  \"insides\": [";
+    for(const auto& [source, inner] : run.insides)
+    {
+      out << separator << "    {\"source\": " << source << ", \"inside\": \""
+          << (inner.side == CGAL::Source_side::LEFT ? "left" : "right") << "\", \"area\": " << inner.inner_area
+          << ", \"outer_area\": " << inner.outer_area << '}';
+      separator = ",\n";
+    }
+    out << "\n  ],\n";
+    separator = "\n";
+  }
+  out << "  \"curves\": [";
   for(const Level_figures& level : levels)
   {
     out << separator << "    {\"distance\": " << level.distance << ", \"number\": " << level.number

@@ -98,6 +98,7 @@ int validate(const Validation_options& options)
   if(input.has_coinciding_border_edges())
     std::cout << "mesh: some border edges are at the same place; they are not joined\n";
   for(const std::string& remark : sources.remarks()) std::cout << "sources: " << remark << '\n';
+  for(const std::string& warning : sources.warnings()) print_warning("validate_geodesic_distances", warning);
   if(const std::string moved = sources.moved_points().remark(); !moved.empty()) std::cout << "sources: " << moved << '\n';
   std::cout << "sources: " << counted(enclosure.number_of_sources(), "source") << '\n' << "distances: " << table.name << '\n';
   Report_writer(std::cout, comparison)(bounds, table.distances, options.tolerance);

@@ -67,6 +67,7 @@ void write_input(const Offset_validation_options& options, const Mesh_input& inp
   std::cout << "mesh: " << quoted(options.mesh) << ", " << counted(input.mesh().number_of_faces(), "face") << '\n';
   for(const std::string& remark : input.remarks()) std::cout << "mesh: " << remark << '\n';
   for(const std::string& remark : sources.remarks()) std::cout << "sources: " << remark << '\n';
+  for(const std::string& warning : sources.warnings()) print_warning("validate_geodesic_offsets", warning);
   if(const std::string moved = sources.moved_points().remark(); !moved.empty()) std::cout << "sources: " << moved << '\n';
   std::cout << "sources: " << counted(number_of_sources, "source") << '\n'
             << "curves: " << counted(curves.curves().size(), "curve") << ", " << counted(curves.number_of_points(), "point")

@@ -10,6 +10,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/Geodesic_source_set.h>
 #include <CGAL/Surface_mesh_geodesic_offset/Offset_side.h>
 #include <CGAL/Surface_mesh_geodesic_offset/Surface_mesh_geodesic_offset_traits.h>
+#include <CGAL/Surface_mesh_geodesic_offset/polyline_closing.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Polyline_joining.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Inner_sides.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/surface/Geodesic_mesh_data.h>
@@ -273,7 +274,7 @@ public:
   ///     \cgalParamDescription{whether the last point of a polyline is joined to the first one. The range may repeat the first
   ///                           point at its end.}
   ///     \cgalParamType{`bool`}
-  ///     \cgalParamDefault{`false`}
+  ///     \cgalParamDefault{`true` if the range repeats its first point at its end, see `polyline_closing()`}
   ///   \cgalParamNEnd
   /// \cgalNamedParamsEnd
   /// @{
@@ -302,6 +303,8 @@ public:
                                                         const NamedParameters& np = parameters::default_values()) const
   {
     data().locator().expect(std::size_t(std::distance(std::begin(points), std::end(points))));
+    const bool repeats_first = polyline_closing(points) == Polyline_closing::CLOSED;
+    const bool is_closed = Geodesic_offset::internal::is_closed_of(np, repeats_first);
     std::vector<Face_location> locations;
     FT largest(0);
     for (const auto& p : points)
@@ -310,7 +313,9 @@ public:
       locations.push_back(l.first);
       largest = (std::max)(largest, l.second);
     }
-    return {join_polyline(locations, np), largest};
+    if (is_closed && repeats_first) locations.pop_back();
+    Geodesic_offset::internal::check_named_parameters<Geodesic_offset::internal::Joining_parameters, NamedParameters>();
+    return {join_polyline(locations, parameters::is_closed(is_closed)), largest};
   }
 
   /// the polyline on the surface through locations. Overload of `locate_polyline()` for points that are on the surface.
@@ -328,6 +333,17 @@ public:
       data().unfolded(), surface, data().traits);
     std::vector<Geodesic_offset::internal::Path_crossing<typename Surface::Number>> passed;
     Polyline polyline;
+    std::vector<Face_location> given_locations;
+    std::vector<Point_3> points;
+    for (const auto& l : locations)
+    {
+      given_locations.push_back(Geodesic_offset::internal::converted_location<FT>(l));
+      data().classified(given_locations.back()); // throws if it is not valid
+      points.push_back(surface.point(given_locations.back()));
+    }
+    const bool repeats_first = polyline_closing(points) == Polyline_closing::CLOSED;
+    const bool is_closed = Geodesic_offset::internal::is_closed_of(np, repeats_first);
+    if (is_closed && repeats_first) given_locations.pop_back();
     std::optional<Located_point> last;
     std::size_t i = 0;
     const auto add = [&](const Face_location& given) {
@@ -343,13 +359,13 @@ public:
       path.push_back(l);
       last = p;
     };
-    for (const auto& l : locations)
+    for (const Face_location& l : given_locations)
     {
-      add(Geodesic_offset::internal::converted_location<FT>(l));
+      add(l);
       ++i;
     }
     if (!last) throw std::invalid_argument("Surface_mesh_geodesic_offset: a polyline without points");
-    if (Geodesic_offset::internal::is_closed_of(np))
+    if (is_closed)
     {
       i = 0;
       add(Face_location(polyline.locations.front()));

@@ -131,7 +131,8 @@ public:
   }
 
   /// adds a polyline. Reads another named parameter, `is_closed(b)`: whether the last point is joined to the first one (default:
-  /// `false`). Each of its segments is straight within one closed face.
+  /// whether there are more than three locations, and the last one is equal to the first one). Each of its segments is straight
+  /// within one closed face.
   /// \tparam FaceLocationRange a model of `ConstRange` with `Face_location`, or a location with the coordinates of another kernel,
   ///         as value type
   /// \param locations the vertices of the polyline, at least one
@@ -140,9 +141,13 @@ public:
   {
     namespace internal = Geodesic_offset::internal;
     const FT start_value = internal::start_value_of<FT, internal::Polyline_source_parameters>(np);
-    return add({internal::is_closed_of(np) ? Kind::CLOSED_POLYLINE : Kind::OPEN_POLYLINE,
+    std::vector<Face_location> points = converted(locations);
+    const bool repeats_first = points.size() > 3 && points.front() == points.back();
+    const bool is_closed = internal::is_closed_of(np, repeats_first);
+    if (is_closed && repeats_first) points.pop_back();
+    return add({is_closed ? Kind::CLOSED_POLYLINE : Kind::OPEN_POLYLINE,
                 boost::graph_traits<TriangleMesh>::null_vertex(),
-                converted(locations),
+                std::move(points),
                 {},
                 start_value});
   }

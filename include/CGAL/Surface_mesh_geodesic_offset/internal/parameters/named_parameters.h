@@ -114,11 +114,11 @@ FT start_value_of(const NamedParameters& np)
   return NT_converter<std::decay_t<decltype(value)>, FT>()(value);
 }
 
-// True if the last point of a polyline is joined to the first one.
+// True if the last point of a polyline is joined to the first one. `otherwise`: without the parameter.
 template <class NamedParameters>
-bool is_closed_of(const NamedParameters& np)
+bool is_closed_of(const NamedParameters& np, bool otherwise)
 {
-  return parameters::choose_parameter(parameters::get_parameter(np, internal_np::geodesic_is_closed), false);
+  return parameters::choose_parameter(parameters::get_parameter(np, internal_np::geodesic_is_closed), otherwise);
 }
 
 // The concurrency tag of a sequence of parameters.

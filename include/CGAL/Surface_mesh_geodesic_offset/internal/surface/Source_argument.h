@@ -92,14 +92,12 @@ private:
     }
   }
 
-  // Adds a polyline, closed if the last point equals the first.
   template <class PointRange>
   void add_polyline_through(const PointRange& range)
   {
     std::vector<Point_3> points;
     for (const auto& p : range) points.push_back(converted_point<Point_3, FT>(p));
-    const bool closed = points.size() > 3 && points.front() == points.back();
-    add(m_mesh.locate_polyline(points, parameters::is_closed(closed)));
+    add(m_mesh.locate_polyline(points));
   }
 
   const Mesh& m_mesh;

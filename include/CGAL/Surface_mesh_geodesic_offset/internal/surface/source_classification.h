@@ -8,6 +8,7 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
+#include <CGAL/Surface_mesh_geodesic_offset/polyline_closing.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/surface/Geodesic_mesh_data.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Source_set.h>
 
@@ -61,6 +62,22 @@ template <class Surface, class Source>
 void check_source(const Geodesic_mesh_data<Surface>& mesh, const Source& source)
 {
   Source_set<typename Surface::Number>::check(mesh.unfolded(), classified_source(mesh, source));
+}
+
+// Closes an open polyline whose ends meet, see polyline_closing(). A short segment between the ends remains; they need a common face.
+// \throws std::invalid_argument if the source does not fit the mesh
+template <class Surface, class Source>
+void close_if_ends_meet(const Geodesic_mesh_data<Surface>& mesh, Source& source)
+{
+  const auto classified = classified_source(mesh, source);
+  if (classified.kind != Source_set<typename Surface::Number>::OPEN_POLYLINE || !mesh.surface().has_points) return;
+  std::vector<typename Surface::Point_3> points;
+  for (const auto& l : source.locations) points.push_back(mesh.surface().point(l));
+  Point_in_face<typename Surface::Number> first, last;
+  unsigned edge;
+  if (polyline_closing(points) == Polyline_closing::CLOSED &&
+      face_of_both(mesh.unfolded(), classified.points.back(), classified.points.front(), last, first, edge) != no_index)
+    source.kind = decltype(source.kind)::CLOSED_POLYLINE;
 }
 
 // Adds a vertex or a location to a set of sources.

@@ -1,0 +1,156 @@
+# Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Sides, closing and place on the surface of the polylines of the program, against closed forms."""
+
+import math
+import subprocess
+
+from program_bench import HORIZONTAL, chain_length, check, check_close, polyline_text, run_test
+
+
+def rectangle(a, b, c, d, z=0.3):
+    return [(a, b, z), (c, b, z), (c, d, z), (a, d, z), (a, b, z)]
+
+
+def write_curves(bench, name, *curves):
+    with open(bench.path(name), "w") as out:
+        out.write("".join(map(polyline_text, curves)))
+    return bench.path(name)
+
+
+def run(bench, *arguments):
+    return subprocess.run([bench.program, *map(str, arguments)], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                          universal_newlines=True, timeout=300)
+
+
+def test_pocket(bench):
+    mesh = bench.grid(HORIZONTAL)  # a square of side 12
+    for is_reversed in (False, True):
+        points = rectangle(1, 1, 11, 10)[::-1 if is_reversed else 1]
+        pocket = write_curves(bench, "pocket.polylines.txt", points)
+        side, other = ("right", "left") if is_reversed else ("left", "right")
+        stats = bench.run(mesh, "--source-polyline", pocket, "--distance", 0.5, "--side", "inside")
+        check_close(stats["curves"][0]["length"], 38 - 8 * 0.5, 1e-9, "the pocket has no border, although it is larger")
+        check([(i["source"], i["inside"]) for i in stats["insides"]] == [(0, side)], "insides: %s" % stats["insides"])
+        check_close(stats["insides"][0]["area"], 90, 1e-9, "area inside")
+        check_close(stats["insides"][0]["outer_area"], 54, 1e-9, "area outside")
+        same = bench.run(mesh, "--source-polyline", pocket + ":" + side, "--distance", 0.5)
+        check_close(same["curves"][0]["length"], 34, 1e-9, "a side of a file")
+        check("insides" not in same, "no inside is needed")
+        outside = bench.run(mesh, "--source-polyline", pocket + ":" + other, "--distance", 0.5, "--side", "inside")
+        check_close(outside["curves"][0]["length"], 38 + math.pi, 1e-9, "the side of a file precedes --side")
+        output = run(bench, mesh, "--source-polyline", pocket, "--distance", 0.5, "--side", "inside").stdout
+        check("line 1: inside = %s, the side without border" % side in output, output)
+    # a pocket with islands in one run, and points, which have no side
+    islands = write_curves(bench, "islands.polylines.txt", rectangle(3, 3, 4, 4), rectangle(7, 6, 8, 8)[::-1])
+    stats = bench.run(mesh, "--source-polyline", pocket + ":inside", "--source-polyline", islands + ":outside",
+                      "--source-vertex", 0, "--distance", 0.25)
+    check_close(stats["curves"][0]["length"], 38 - 2 + 4 + 6 + math.pi + math.pi / 8, 1e-9, "a pocket with islands")
+    check([i["inside"] for i in stats["insides"]] == ["right", "left", "right"], "insides: %s" % stats["insides"])
+    # a file whose name ends like a side
+    odd = write_curves(bench, "odd:left", rectangle(3, 3, 4, 4))
+    check_close(bench.run(mesh, "--source-polyline", odd, "--distance", 0.25)["curves"][0]["length"], 2 + 4 + math.pi / 2, 1e-9,
+                "a name with a colon")
+    # the smaller area of a closed surface, with a warning if it is in doubt
+    shell = bench.path("shell.off")
+    write_shell(shell, 0.1)
+    for e, warning in ((0.1, None), (0.05, "in doubt")):  # 96.04 of 204, 98.01 of 204
+        near_rim = write_curves(bench, "rim.polylines.txt", rectangle(e, e, 10 - e, 10 - e, 0.1))
+        stats = bench.run(shell, "--source-polyline", near_rim, "--distance", 0.01, "--side", "inside", warning=warning)
+        check_close(stats["insides"][0]["area"], (10 - 2 * e) ** 2, 1e-9, "area inside")
+        check_close(stats["curves"][0]["length"], 4 * (10 - 2 * e) - 8 * 0.01, 1e-9, "inside")
+
+
+def test_ends(bench):
+    mesh = bench.grid(HORIZONTAL)
+    curve = write_curves(bench, "open.polylines.txt", [(3, 5, 0.3), (8, 5, 0.3)])
+    lengths = {"both": 10 + 2 * math.pi, "left": 5, "right": 5}
+    for side, length in lengths.items():
+        check_close(bench.run(mesh, "--source-polyline", curve, "--distance", 1, "--side", side)["curves"][0]["length"], length,
+                    1e-9, "default end, " + side)
+        stats = bench.run(mesh, "--source-polyline", curve + ":" + side, "--distance", 1, "--end", "round")
+        check_close(stats["curves"][0]["length"], length + (0 if side == "both" else 2 * math.pi), 1e-9, "round, " + side)
+
+
+def test_closing(bench):
+    """The table of the manual."""
+    mesh = bench.grid(HORIZONTAL)
+    is_closed = {0: True, 1e-16: True, 1e-12: True, 1e-10: True, 0.99e-9: True, 1.01e-9: False, 1e-6: False, 0.99e-4: False,
+                 1.01e-4: False, 1e-3: False}
+    for part, closed in is_closed.items():
+        points = rectangle(3, 2, 9, 6)  # 20 is its length
+        points[4] = (3, 2 + 20 * part, 0.3)
+        curve = write_curves(bench, "curve.polylines.txt", points)
+        result = run(bench, mesh, "--source-polyline", curve, "--distance", 0.25, "--side", "inside")
+        gap = points[4][1] - 2
+        check((result.returncode == 0) == closed, "gap %g: %s" % (part, result.stderr))
+        check(("line 1: closed, its ends are" in result.stdout) == (closed and gap > 0), "gap %g: %s" % (part, result.stdout))
+        result = run(bench, mesh, "--source-polyline", curve, "--distance", 0.25)
+        warns = 1e-9 < part < 1e-4
+        check(result.returncode == 0 and ("open, although its ends are only" in result.stderr) == warns, result.stderr)
+        if warns:
+            remedy = result.stderr.split("; ")[1].split()[:2]
+            stats = bench.run(mesh, "--source-polyline", curve, "--distance", 0.25, "--side", "inside", *remedy)
+            check_close(stats["curves"][0]["length"], 20 - 2, 1e-9, "closed by " + " ".join(remedy))
+
+
+def write_shell(path, thickness, n=5):
+    """A square of side 10 with this thickness."""
+    points, faces = [], []
+    for z in (0, thickness):
+        points += [(10 * i / n, 10 * j / n, z) for i in range(n + 1) for j in range(n + 1)]
+    layer = (n + 1) ** 2
+    for i in range(n):
+        for j in range(n):
+            a, b, c, d = (k * (n + 1) + m for k, m in ((i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)))
+            faces += [(a, c, b), (a, d, c), (a + layer, b + layer, c + layer), (a + layer, c + layer, d + layer)]
+    rim = [(i, 0) for i in range(n)] + [(n, j) for j in range(n)] + [(n - i, n) for i in range(n)] + [(0, n - j) for j in range(n)]
+    rim = [i * (n + 1) + j for i, j in rim]
+    for a, b in zip(rim, rim[1:] + rim[:1]):
+        faces += [(a, b, b + layer), (a, b + layer, a + layer)]
+    write_off(path, points, faces)
+
+
+def write_off(path, points, faces):
+    with open(path, "w") as out:
+        out.write("OFF\n%d %d 0\n" % (len(points), len(faces)))
+        for p in points:
+            out.write("%.17g %.17g %.17g\n" % tuple(p))
+        for f in faces:
+            out.write("3 %d %d %d\n" % f)
+
+
+def read_curves(path):
+    with open(path) as file:
+        rows = [[float(x) for x in line.split()] for line in file]
+    return [[tuple(row[i:i + 3]) for i in range(1, len(row), 3)] for row in rows]
+
+
+def test_skins(bench):
+    shell, placed = bench.path("shell.off"), bench.path("placed.polylines.txt")
+    write_shell(shell, 0.1)
+    curve = write_curves(bench, "middle.polylines.txt",
+                         [(x, 5, 0.055 if i % 2 == 0 else 0.045) for i, x in enumerate((2, 4, 5, 6, 8))])
+    arguments = shell, "--source-polyline", curve, "--distance", 0.5, "--source-output", placed
+    bench.run(*arguments, warning="from point 1 at 4,5,0.045 to the next one the path on the surface has length")
+    check(chain_length(read_curves(placed)[0]) > 20, "the curve goes around the rim")
+    for direction in ("0,0,1", "0,0,-1", "0.001,0.002,1"):
+        stats = bench.run(*arguments, "--project", direction)
+        check_close(stats["curves"][0]["length"], 12 + math.pi, 1e-3, "in a thin shell, along " + direction)
+        check(len({p[2] for p in read_curves(placed)[0]}) == 1, "points on both skins")
+    # one skin for each polyline, the nearer one
+    both = write_curves(bench, "both.polylines.txt", [(2, 3, 0.2), (8, 3, 0.2)], [(2, 7, -0.2), (8, 7, -0.2)])
+    bench.run(shell, "--source-polyline", both, "--distance", 0.5, "--source-output", placed, "--project", "0,0,1")
+    check([{p[2] for p in c} for c in read_curves(placed)] == [{0.1}, {0}], "the nearer skin")
+
+    # between the walls of a groove: points go to both, and the curve crosses the bottom again and again
+    groove = bench.path("groove.off")
+    write_off(groove, [(-5, 0, 5), (-5, 9, 5), (0, 0, 0), (0, 9, 0), (5, 0, 5), (5, 9, 5)],
+              [(0, 2, 3), (0, 3, 1), (2, 4, 5), (2, 5, 3)])
+    zigzag = write_curves(bench, "zigzag.polylines.txt", [(0.01 * (-1) ** i, 2 + i / 40, 0.06) for i in range(9)])
+    bench.run(groove, "--source-polyline", zigzag, "--distance", 0.1, warning="so have 7 more")
+    bench.run(groove, "--source-polyline", zigzag, "--distance", 0.1, "--project", "0,0,1")
+
+
+if __name__ == "__main__":
+    run_test(pocket=test_pocket, ends=test_ends, closing=test_closing, skins=test_skins)
