@@ -7,8 +7,13 @@
 #include "planar_polyline.h"
 #include "plane_section.h"
 
+#include <CGAL/Surface_mesh_geodesic_offset/geodesic_offset_curves.h>
+
 #include <algorithm>
+#include <iterator>
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace test_inner_sides {
@@ -229,6 +234,104 @@ void sections_of_boxes()
       }
 }
 
+// Each source has its own side, and the default cap style is that of its side.
+void side_of_each(const Planar_mesh& plane)
+{
+  Report::instance().set_context("a pocket with an island");
+  Geodesic geodesic(plane.data.mesh);
+  const std::size_t pocket = plane.add(geodesic, {{0.5, 0.5}, {3.5, 0.5}, {3.5, 3.5}, {0.5, 3.5}}, true);
+  const std::size_t island = plane.add(geodesic, {{1.5, 1.5}, {1.5, 2}, {2, 2}, {2, 1.5}}, true);
+  const std::size_t line = plane.add(geodesic, {{2.5, 2.5}, {3, 2.5}});
+  const double d = 0.0625, round = 2 * CGAL_PI * d;
+  const auto length = [&](const auto& np) {
+    Offset_curves curves;
+    geodesic.build_with_offset_curves(d, std::back_inserter(curves), np);
+    return total_length(curves);
+  };
+  const auto check_length = [](double found, double expected) {
+    CHECK_DETAIL(std::abs(found - expected) <= 1e-11 * expected, values(found, expected));
+  };
+  std::map<std::size_t, Offset_side> sides{{pocket, Offset_side::INSIDE}, {island, Offset_side::OUTSIDE}};
+  const double both = 12 - 8 * d + 2 + round;
+  check_length(length(CGAL::parameters::offset_side(sides)), both + 1 + round); // the line has both sides
+  check_length(length(CGAL::parameters::offset_side(sides).end_style(Offset_end::BUTT)), both + 1);
+  sides[line] = Offset_side::LEFT;
+  check_length(length(CGAL::parameters::offset_side(sides)), both + 0.5);
+  check_length(length(CGAL::parameters::offset_side(sides).end_style(Offset_end::ROUND)), both + 0.5 + round);
+  geodesic.remove_source(line);
+  check_length(length(CGAL::parameters::offset_side(Offset_side::INSIDE)), 12 - 8 * d + 2 - 8 * d);
+  const auto inner = geodesic.inner_sides();
+  CHECK(inner.size() == 2 && inner.at(pocket).side == CGAL::Source_side::LEFT &&
+        inner.at(island).side == CGAL::Source_side::RIGHT);
+  check_length(inner.at(pocket).inner_area, 9);
+  check_length(inner.at(pocket).outer_area, 7);
+  CHECK(!inner.at(pocket).is_by_area && !inner.at(pocket).is_doubtful());
+  // only the sides that are needed must exist
+  plane.add(geodesic, {{2.5, 2.5}, {3, 2.5}});
+  check_length(length(CGAL::parameters::offset_side(std::map<std::size_t, Offset_side>{{pocket, Offset_side::INSIDE},
+                                                                                       {island, Offset_side::INSIDE}})),
+               12 - 8 * d + 2 - 8 * d + 1 + round);
+}
+
+// Curves that cross themselves or lead back along themselves have no inside.
+void crossed(const Planar_mesh& plane)
+{
+  const Line lines[] = {{{1, 1}, {3, 3}, {3, 1}, {1, 3}},                          // an eight
+                        {{1, 1}, {3, 1}, {3, 3}, {1.5, 0.5}},                      // with a loop
+                        {{1, 1}, {3, 1}, {3, 3.5}, {3, 3}, {1, 3}},                // with a spur
+                        {{1, 1}, {3, 1}, {3.3, 3.4}, {3, 1}, {1, 3}, {1.2, 1.4}}}; // with a spur across faces
+  for (const Line& line : lines)
+  {
+    Report::instance().set_context("crossed curve " + std::to_string(&line - lines));
+    Geodesic geodesic(plane.data.mesh);
+    plane.add(geodesic, line, true);
+    CHECK(geodesic.inner_sides().at(0).side == CGAL::Source_side::NONE);
+  }
+}
+
+// Without the parameter is_closed one rule decides for points and locations, in functions and in the class.
+void closing(const Planar_mesh& plane)
+{
+  const double d = 0.125, length = 8;
+  const std::pair<double, CGAL::Polyline_closing> gaps[] = {
+    {0, CGAL::Polyline_closing::CLOSED},           {1e-16, CGAL::Polyline_closing::CLOSED},
+    {1e-12, CGAL::Polyline_closing::CLOSED},       {1e-10, CGAL::Polyline_closing::CLOSED},
+    {0.99e-9, CGAL::Polyline_closing::CLOSED},     {1.01e-9, CGAL::Polyline_closing::NEARLY_CLOSED},
+    {1e-6, CGAL::Polyline_closing::NEARLY_CLOSED}, {0.99e-4, CGAL::Polyline_closing::NEARLY_CLOSED},
+    {1.01e-4, CGAL::Polyline_closing::OPEN},       {1e-3, CGAL::Polyline_closing::OPEN}};
+  for (const auto& [gap, expected] : gaps)
+  {
+    Report::instance().set_context("gap " + std::to_string(gap));
+    const Line square{{1, 1}, {3, 1}, {3, 3}, {1, 3}, {1, 1 + gap * length}};
+    std::vector<Point_3> points;
+    for (const Point_2& p : square) points.push_back(Point_3(p.x(), p.y(), 0));
+    const bool closed = expected == CGAL::Polyline_closing::CLOSED;
+    CHECK(CGAL::polyline_closing(points) == expected);
+    CHECK(CGAL::polyline_closing(points, 1.01 * gap * length) == CGAL::Polyline_closing::CLOSED);
+    Geodesic geodesic(plane.data.mesh);
+    CHECK(geodesic.locate_polyline(points).is_closed == closed);
+    CHECK(geodesic.locate_polyline(points).locations ==
+          geodesic.locate_polyline(points, CGAL::parameters::is_closed(closed)).locations);
+    const auto joined = plane.path(square, false).locations;
+    CHECK(geodesic.join_polyline(joined).is_closed == closed);
+    CHECK(!geodesic.join_polyline(joined, CGAL::parameters::is_closed(false)).is_closed);
+    geodesic.add_source_polyline(joined);
+    CHECK((geodesic.sources().sources().begin()->second.kind == Geodesic::Source_set::Kind::CLOSED_POLYLINE) == closed);
+    geodesic.build(CGAL::parameters::keep_windows(true));
+    if (closed) CHECK(std::abs(total_length(offsets(geodesic, d, Offset_side::INSIDE)) - (8 - 8 * d)) <= 1e-7);
+    std::vector<Offset_curve> curves;
+    CGAL::geodesic_offset_curves(plane.data.mesh, points, d, std::back_inserter(curves));
+    const double expected_length = 16 - 8 * d + 2 * CGAL_PI * d;
+    if (closed) CHECK(std::abs(total_length(curves) - expected_length) <= 1e-9);
+    Geodesic::Source_set set; // without a mesh: equal locations
+    set.add_polyline(joined);
+    CHECK((set.sources().begin()->second.kind == Geodesic::Source_set::Kind::CLOSED_POLYLINE) ==
+          (joined.front() == joined.back()));
+  }
+  // there and back is open
+  CHECK(CGAL::polyline_closing(std::vector<Point_3>{{1, 1, 0}, {2, 2, 0}, {1, 1, 0}}) == CGAL::Polyline_closing::OPEN);
+}
+
 template <class Function>
 void check_refused(const Function& f, const std::string& what)
 {
@@ -360,6 +463,12 @@ GEODESIC_OFFSET_TEST(test_inner_sides)
   guarded([&] { squares("two triangles", two_triangles); });
   guarded([&] { along_border("rectangle", rectangle); });
   guarded([&] { along_border("two triangles", two_triangles); });
+  guarded([&] { side_of_each(rectangle); });
+  guarded([&] { side_of_each(two_triangles); });
+  guarded([&] { crossed(rectangle); });
+  guarded([&] { crossed(two_triangles); });
+  guarded([&] { closing(rectangle); });
+  guarded([&] { closing(two_triangles); });
   guarded(round_hole);
   guarded(tiny);
   guarded(in_one_face);

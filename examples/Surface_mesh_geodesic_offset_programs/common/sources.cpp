@@ -5,7 +5,7 @@
 
 #include <CGAL/Polygon_mesh_processing/compute_normal.h>
 #include <CGAL/Polygon_mesh_processing/locate.h>
-#include <CGAL/Surface_mesh_geodesic_offset/polyline_closing.h>
+#include <CGAL/Surface_mesh_geodesic_offset/Polyline_closing.h>
 
 #include <iterator>
 #include <optional>

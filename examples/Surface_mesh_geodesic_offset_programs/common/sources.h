@@ -186,11 +186,17 @@ public:
     });
   }
 
-  // Sides of all polylines by their source ids. `side`: of those without their own.
-  std::map<std::size_t, CGAL::Offset_side> sides(CGAL::Offset_side side) const
+  // Sides of all polylines by their source ids. `side`: of those without their own. Inside and outside are left or right where
+  // `insides` has the polyline.
+  std::map<std::size_t, CGAL::Offset_side> sides(CGAL::Offset_side side,
+                                                 const std::map<std::size_t, CGAL::Geodesic_inner_side>& insides = {}) const
   {
-    std::map<std::size_t, CGAL::Offset_side> result;
+    using CGAL::Offset_side;
+    std::map<std::size_t, Offset_side> result;
     for(std::size_t i = 0; i < m_polylines.size(); ++i) result[first_polyline() + i] = m_polyline_sides[i].value_or(side);
+    for(const auto& [id, inner] : insides)
+      result[id] =
+        (inner.side == CGAL::Source_side::LEFT) == (result[id] == Offset_side::INSIDE) ? Offset_side::LEFT : Offset_side::RIGHT;
     return result;
   }
 

@@ -144,8 +144,8 @@ Solution solve(const Mesh_input& input, const Sources& sources, const Levels& le
   Drawing_check drawing(options.outputs, input.mesh(), input.bounding_box_diagonal(), sources);
   Level_files level_files(files, options, chord_tolerance(options, input));
   const Stopwatch time;
-  Offsets offsets = build_and_cut<Concurrency_tag>(geodesic, sources, levels, options, chord_tolerance(options, input), drawing,
-                                                   level_files, progress);
+  Offsets offsets = build_and_cut<Concurrency_tag>(geodesic, sources, figures.insides, levels, options,
+                                                   chord_tolerance(options, input), drawing, level_files, progress);
   level_files.finish();
   File_field field(input, geodesic, !options.field.empty() && sources.has_polylines(), options.field_details,
                    options.has_tolerance());

@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
+#include <map>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -147,8 +148,9 @@ inline double distance_limit(const Options& options, const Levels& levels, const
 
 // Builds the distances and returns the offsets. Those of `files` are written.
 template <class Concurrency_tag>
-Offsets build_and_cut(Geodesic& geodesic, const Sources& sources, const Levels& levels, const Options& options,
-                      double tolerance, Drawing_check& drawing, Level_files& files, Progress& progress)
+Offsets build_and_cut(Geodesic& geodesic, const Sources& sources,
+                      const std::map<std::size_t, CGAL::Geodesic_inner_side>& insides, const Levels& levels,
+                      const Options& options, double tolerance, Drawing_check& drawing, Level_files& files, Progress& progress)
 {
   Offsets offsets;
   const double limit = distance_limit(options, levels, sources);
@@ -167,7 +169,7 @@ Offsets build_and_cut(Geodesic& geodesic, const Sources& sources, const Levels& 
     return offsets;
   }
   geodesic.build_with_offset_curves_by_distance(levels.distances(), collector,
-                                                parameters.offset_side(sources.sides(options.selected_side))
+                                                parameters.offset_side(sources.sides(options.selected_side, insides))
                                                   .end_style(options.selected_end)
                                                   .concurrency_tag(Concurrency_tag()));
   return offsets;

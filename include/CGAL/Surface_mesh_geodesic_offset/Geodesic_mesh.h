@@ -9,8 +9,8 @@
 #include <CGAL/Surface_mesh_geodesic_offset/Geodesic_plane_section.h>
 #include <CGAL/Surface_mesh_geodesic_offset/Geodesic_source_set.h>
 #include <CGAL/Surface_mesh_geodesic_offset/Offset_side.h>
+#include <CGAL/Surface_mesh_geodesic_offset/Polyline_closing.h>
 #include <CGAL/Surface_mesh_geodesic_offset/Surface_mesh_geodesic_offset_traits.h>
-#include <CGAL/Surface_mesh_geodesic_offset/polyline_closing.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Polyline_joining.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Inner_sides.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/surface/Geodesic_mesh_data.h>
@@ -18,7 +18,6 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/surface/own_maps.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/surface/source_classification.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/point_conversion.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/Polyline_joining.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/surface/Plane_cutting.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/workers/Concurrency.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/parameters/named_parameters.h>

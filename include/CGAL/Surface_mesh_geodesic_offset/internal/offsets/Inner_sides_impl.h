@@ -233,6 +233,7 @@ void Inner_sides<FT>::find_cells()
   }
   std::sort(m_links.begin(), m_links.end());
   m_links.erase(std::unique(m_links.begin(), m_links.end()), m_links.end());
+  m_links_of.resize(m_cell.size());
   for (Index i = 0; i < m_links.size(); ++i)
     for (const Index c : {m_links[i].first, m_links[i].second}) m_links_of[c].push_back(i);
 
@@ -256,9 +257,7 @@ bool Inner_sides<FT>::find_windings(const Contour& contour)
   for (std::size_t i = 0; i < m_cells.size(); ++i)
   {
     const Index c = m_cells[i];
-    const auto links = m_links_of.find(c);
-    if (links == m_links_of.end()) continue;
-    for (const Index l : links->second)
+    for (const Index l : m_links_of[c])
     {
       const Link& link = m_links[l];
       const auto it = std::lower_bound(link.jumps.begin(), link.jumps.end(), std::make_pair(number, INT_MIN));

@@ -8,7 +8,7 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/polyline_closing.h>
+#include <CGAL/Surface_mesh_geodesic_offset/Polyline_closing.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/surface/Geodesic_mesh_data.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Source_set.h>
 
