@@ -19,11 +19,13 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/parameters/named_parameters.h>
 
 #include <cstddef>
+#include <initializer_list>
 #include <iterator>
 #include <map>
 #include <memory>
 #include <optional>
 #include <stdexcept>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -169,6 +171,11 @@ public:
   {
   }
 
+  /// Deleted: the object refers to the mesh, which must not be temporary.
+  template <class NamedParameters = parameters::Default_named_parameters>
+  explicit Surface_mesh_geodesic_offset(const Triangle_mesh&& tm,
+                                        const NamedParameters& np = parameters::default_values()) = delete;
+
   /// shares a mesh that is set up.
   explicit Surface_mesh_geodesic_offset(const Mesh& mesh) : m_mesh(mesh) {}
   /// @}
@@ -244,6 +251,17 @@ public:
   {
     return add_source_point(Geodesic_offset::internal::converted_location<FT>(location), np);
   }
+
+#ifndef DOXYGEN_RUNNING
+  // Chosen for points in space.
+  template <class Point, class NamedParameters = parameters::Default_named_parameters,
+            class = std::enable_if_t<Geodesic_offset::internal::is_point_in_space<Point>>>
+  std::size_t add_source_point(const Point&, const NamedParameters& = parameters::default_values())
+  {
+    static_assert(!Geodesic_offset::internal::is_point_in_space<Point>, CGAL_GEODESIC_OFFSET_NEEDS_LOCATION);
+    return 0;
+  }
+#endif
 
   /// adds each point of a range as a source of its own.
   /// \return the ids of the sources, in the order of the range
@@ -572,7 +590,7 @@ public:
   beyond the distance limit give no curves. A selection by inside or outside takes the time of `inner_sides()` more. With a
   tolerance, the curves are those of the distances that the build gives, see `Geodesic_offset_curve::tolerance()`.
 
-  \param levels a distance, a range of distances, or an `Offset_levels` object
+  \param levels a distance, a range of distances such as `{1., 2.}`, or an `Offset_levels` object
   \param out an output iterator for `Offset_curve`
   \param np an optional sequence of named parameters: those of `build()`, and those listed below
 
@@ -597,7 +615,8 @@ public:
           closed polyline that does not divide the surface; and the exceptions of `build()`.
           The field of the object is unchanged then.
   */
-  template <class Levels, class OutputIterator, class NamedParameters = parameters::Default_named_parameters>
+  template <class Levels = std::initializer_list<FT>, class OutputIterator,
+            class NamedParameters = parameters::Default_named_parameters>
   OutputIterator build_with_offset_curves(const Levels& levels, OutputIterator out,
                                           const NamedParameters& np = parameters::default_values())
   {
@@ -611,7 +630,8 @@ public:
   /// `std::vector<Offset_curve>&&`, also if there are no curves. If the number of levels is unlimited, the last call is
   /// that of the largest level that has curves, or of one at the largest distance, which has none. All else is as in
   /// `build_with_offset_curves()`.
-  template <class Levels, class Function, class NamedParameters = parameters::Default_named_parameters>
+  template <class Levels = std::initializer_list<FT>, class Function,
+            class NamedParameters = parameters::Default_named_parameters>
   void build_with_offset_curves_by_distance(const Levels& levels, Function&& f,
                                             const NamedParameters& np = parameters::default_values())
   {
@@ -719,7 +739,8 @@ public:
   }
 
   /// forwards to `Geodesic_distance_field::offset_curves()`.
-  template <class Levels, class OutputIterator, class NamedParameters = parameters::Default_named_parameters>
+  template <class Levels = std::initializer_list<FT>, class OutputIterator,
+            class NamedParameters = parameters::Default_named_parameters>
   OutputIterator offset_curves(const Levels& levels, OutputIterator out,
                                const NamedParameters& np = parameters::default_values()) const
   {
@@ -727,7 +748,8 @@ public:
   }
 
   /// forwards to `Geodesic_distance_field::offset_curves_by_distance()`.
-  template <class Levels, class Function, class NamedParameters = parameters::Default_named_parameters>
+  template <class Levels = std::initializer_list<FT>, class Function,
+            class NamedParameters = parameters::Default_named_parameters>
   void offset_curves_by_distance(const Levels& levels, Function&& f,
                                  const NamedParameters& np = parameters::default_values()) const
   {

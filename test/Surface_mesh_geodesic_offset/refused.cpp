@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Code that must not compile: certified bounds with flags that change the arithmetic, user traits with numbers of CORE,
-// functors with the tag of operators that they lack, and named parameters that a function does not read. ctest checks the messages.
+// functors with the tag of operators that they lack, named parameters that a function does not read, and arguments of the wrong
+// kind. ctest checks the messages.
 
 #ifdef REFUSED_TRAITS
 
@@ -109,6 +110,47 @@ void refused(const Mesh& mesh, Geodesic& geodesic, std::vector<Geodesic::Offset_
   // of files with a unit, and of files with chords
   CGAL::IO::write_offset_CSV(std::cout, curves, parameters::length_unit(CGAL::IO::Length_unit::METER));
   CGAL::IO::write_offset_SVG(std::cout, curves, parameters::chord_tolerance(0.1));
+}
+
+#elif defined REFUSED_ARGUMENTS
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/Surface_mesh_geodesic_offset.h>
+#include <CGAL/Surface_mesh_geodesic_offset/Surface_mesh_geodesic_enclosure.h>
+#include <CGAL/Surface_mesh_geodesic_offset/split_along_geodesic_voronoi_diagram.h>
+#include <CGAL/Surface_mesh_geodesic_offset/split_along_offset_curves.h>
+
+#include <vector>
+
+typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
+typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
+typedef CGAL::Surface_mesh_geodesic_offset_traits<Kernel, Mesh> Traits;
+typedef CGAL::Surface_mesh_geodesic_offset<Traits> Geodesic;
+typedef CGAL::Surface_mesh_geodesic_enclosure<Traits> Enclosure;
+
+// Each mistake has one message of its own, and no other.
+void refused(Mesh& mesh, const Mesh& constant, Geodesic& geodesic, Enclosure& enclosure, const Kernel::Point_3& point)
+{
+  const std::vector<Kernel::Point_3> points{point};
+  // a temporary mesh, to which the object would refer
+  Geodesic of_temporary{Mesh()};
+  CGAL::Geodesic_mesh<Traits> mesh_of_temporary{Mesh()};
+  Enclosure enclosure_of_temporary{Mesh(), CGAL::parameters::vertex_index_map(get(boost::vertex_index, mesh))};
+  // a kernel instead of traits
+  CGAL::Surface_mesh_geodesic_offset<Kernel> without_traits(mesh);
+  without_traits.add_source_point(Mesh::Vertex_index(0));
+  without_traits.build();
+  // a mesh that cannot be split
+  CGAL::split_along_offset_curves(constant, std::vector<Geodesic::Offset_curve>());
+  CGAL::split_along_geodesic_voronoi_diagram(constant, geodesic.field().voronoi_diagram());
+  // a point in space instead of a location
+  geodesic.add_source_point(point);
+  geodesic.add_source_points(points);
+  geodesic.add_source_polyline(points, CGAL::parameters::is_closed(true));
+  geodesic.distance_to_sources(point);
+  geodesic.join_polyline(points);
+  enclosure.add_source_point(point);
 }
 
 #else

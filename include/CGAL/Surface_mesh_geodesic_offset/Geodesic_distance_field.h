@@ -20,6 +20,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/parameters/named_parameters.h>
 
 #include <cstddef>
+#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -293,7 +294,7 @@ public:
   /// Takes time linear in the size of the mesh and of the curves; in each face, quadratic in the number of windows that reach
   /// the distance, and up to cubic if they start at sources that cross each other. Hundreds of source segments in one face take
   /// seconds: subdivide such a face first.
-  /// \param levels a distance, a range of distances, or an `Offset_levels` object
+  /// \param levels a distance, a range of distances such as `{1., 2.}`, or an `Offset_levels` object
   /// \param out an output iterator for `Offset_curve`; curves come by increasing distance
   /// \param np an optional sequence of named parameters among those listed below, with the meaning and the defaults that they
   ///        have in `Surface_mesh_geodesic_offset::build_with_offset_curves()`
@@ -314,7 +315,8 @@ public:
   /// \cgalNamedParamsEnd
   ///
   /// \throws std::invalid_argument as `Surface_mesh_geodesic_offset::build_with_offset_curves()`
-  template <class Levels, class OutputIterator, class NamedParameters = parameters::Default_named_parameters>
+  template <class Levels = std::initializer_list<FT>, class OutputIterator,
+            class NamedParameters = parameters::Default_named_parameters>
   OutputIterator offset_curves(const Levels& levels, OutputIterator out,
                                const NamedParameters& np = parameters::default_values()) const
   {
@@ -324,7 +326,8 @@ public:
 
   /// calls `f(distance, curves)` for each distance, as `Surface_mesh_geodesic_offset::build_with_offset_curves_by_distance()`
   /// does. All else is as in `offset_curves()`.
-  template <class Levels, class Function, class NamedParameters = parameters::Default_named_parameters>
+  template <class Levels = std::initializer_list<FT>, class Function,
+            class NamedParameters = parameters::Default_named_parameters>
   void offset_curves_by_distance(const Levels& levels, Function&& f,
                                  const NamedParameters& np = parameters::default_values()) const
   {

@@ -73,8 +73,11 @@ public:
 
   /// the traits
   typedef Traits_ Traits;
+#ifndef DOXYGEN_RUNNING
+  typedef typename Geodesic_offset::internal::Checked_traits<Traits_>::type Checked_traits;
+#endif
   /// the mesh
-  typedef typename Traits::Triangle_mesh Triangle_mesh;
+  typedef typename Checked_traits::Triangle_mesh Triangle_mesh;
   /// a vertex of the mesh
   typedef typename boost::graph_traits<Triangle_mesh>::vertex_descriptor vertex_descriptor;
   /// a halfedge of the mesh
@@ -85,15 +88,15 @@ public:
   typedef typename boost::graph_traits<Triangle_mesh>::face_descriptor face_descriptor;
 
   /// the number type of distances and of coordinates
-  typedef typename Traits::FT FT;
+  typedef typename Checked_traits::FT FT;
   /// a point in space
-  typedef typename Traits::Point_3 Point_3;
+  typedef typename Checked_traits::Point_3 Point_3;
   /// a vector in space
-  typedef typename Traits::Vector_3 Vector_3;
+  typedef typename Checked_traits::Vector_3 Vector_3;
   /// a ray in space
-  typedef typename Traits::Kernel::Ray_3 Ray_3;
+  typedef typename Checked_traits::Kernel::Ray_3 Ray_3;
   /// a plane in space
-  typedef typename Traits::Kernel::Plane_3 Plane_3;
+  typedef typename Checked_traits::Kernel::Plane_3 Plane_3;
 
   /// barycentric coordinates in a face, the same type as `Polygon_mesh_processing::Barycentric_coordinates`
   typedef std::array<FT, 3> Barycentric_coordinates;
@@ -126,11 +129,12 @@ public:
   /// @}
 
 private:
-  typedef Geodesic_offset::internal::Geodesic_surface<Traits, Vertex_index_map, Face_index_map, Vertex_point_map> Surface;
+  typedef Geodesic_offset::internal::Geodesic_surface<Checked_traits, Vertex_index_map, Face_index_map, Vertex_point_map>
+    Surface;
   typedef Geodesic_offset::internal::Geodesic_mesh_data<Surface> Data;
   typedef typename Data::Located_point Located_point;
   typedef typename Data::Surface_point Surface_point;
-  typedef Geodesic_offset::internal::Space_kernel<typename Traits::Kernel> Space_kernel;
+  typedef Geodesic_offset::internal::Space_kernel<typename Checked_traits::Kernel> Space_kernel;
 
   friend struct Geodesic_offset::internal::Mesh_access;
 
@@ -195,6 +199,10 @@ public:
   {
     Geodesic_offset::internal::check_named_parameters<Geodesic_offset::internal::Mesh_parameters, NamedParameters>();
   }
+
+  /// Deleted: the object refers to the mesh, which must not be temporary.
+  template <class NamedParameters = parameters::Default_named_parameters>
+  explicit Geodesic_mesh(const Triangle_mesh&& tm, const NamedParameters& np = parameters::default_values()) = delete;
   /// @}
 
   /// \name Location
@@ -327,6 +335,8 @@ public:
   Polyline join_polyline(const FaceLocationRange& locations, const NamedParameters& np = parameters::default_values()) const
   {
     Geodesic_offset::internal::check_named_parameters<Geodesic_offset::internal::Joining_parameters, NamedParameters>();
+    constexpr bool has_points = Geodesic_offset::internal::has_points_in_space<FaceLocationRange>;
+    static_assert(!has_points, "join_polyline() needs locations on the surface; locate_polyline() accepts points in space");
     const Surface& surface = data().surface_with_points();
     const Geodesic_offset::internal::Polyline_joining<typename Surface::Computing_traits, Space_kernel> joining(
       data().unfolded(), surface, data().traits);
@@ -336,7 +346,7 @@ public:
     std::vector<Point_3> points;
     for (const auto& l : locations)
     {
-      given_locations.push_back(Geodesic_offset::internal::converted_location<FT>(l));
+      if constexpr (!has_points) given_locations.push_back(Geodesic_offset::internal::converted_location<FT>(l));
       data().classified(given_locations.back()); // throws if it is not valid
       points.push_back(surface.point(given_locations.back()));
     }

@@ -213,8 +213,11 @@ private:
   template <class FaceLocationRange>
   static std::vector<Face_location> converted(const FaceLocationRange& locations)
   {
+    constexpr bool has_points = Geodesic_offset::internal::has_points_in_space<FaceLocationRange>;
+    static_assert(!has_points, CGAL_GEODESIC_OFFSET_NEEDS_LOCATION);
     std::vector<Face_location> result;
-    for (const auto& l : locations) result.push_back(Geodesic_offset::internal::converted_location<FT>(l));
+    if constexpr (!has_points)
+      for (const auto& l : locations) result.push_back(Geodesic_offset::internal::converted_location<FT>(l));
     return result;
   }
 

@@ -16,6 +16,7 @@
 #include <boost/range/iterator_range.hpp>
 
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -81,6 +82,15 @@ public:
 
   /// the side of the points that are nearer to the sources than the curve: always the left side.
   Orientation enclosed_side() const { return LEFT_TURN; }
+
+  /// the side of the sources on which the whole curve lies; empty if it lies on several. Takes time linear in the number of pieces.
+  std::optional<Source_side> side() const
+  {
+    for (const Piece& p : pieces())
+      if (p.side() != piece(0).side()) return std::nullopt;
+    if (m_pieces.empty()) return std::nullopt;
+    return piece(0).side();
+  }
 
   /// \name Pieces
   /// Each piece ends where the next one starts.

@@ -99,6 +99,11 @@ public:
     internal::check_named_parameters<internal::Mesh_with_points_parameters, NamedParameters>();
   }
 
+  /// Deleted: the object refers to the mesh, which must not be temporary.
+  template <class NamedParameters = parameters::Default_named_parameters>
+  explicit Surface_mesh_geodesic_enclosure(const Triangle_mesh&& tm,
+                                           const NamedParameters& np = parameters::default_values()) = delete;
+
   /// shares a mesh that is set up.
   explicit Surface_mesh_geodesic_enclosure(const Mesh& mesh) : m_mesh(mesh) {}
   /// @}
@@ -138,6 +143,17 @@ public:
   {
     return add_source_point(Geodesic_offset::internal::converted_location<double>(location), np);
   }
+
+#ifndef DOXYGEN_RUNNING
+  // Chosen for points in space.
+  template <class Point, class NamedParameters = parameters::Default_named_parameters,
+            class = std::enable_if_t<Geodesic_offset::internal::is_point_in_space<Point>>>
+  std::size_t add_source_point(const Point&, const NamedParameters& = parameters::default_values())
+  {
+    static_assert(!Geodesic_offset::internal::is_point_in_space<Point>, CGAL_GEODESIC_OFFSET_NEEDS_LOCATION);
+    return 0;
+  }
+#endif
 
   /// adds each point of a range as a source of its own.
   /// \return the ids of the sources, in the order of the range

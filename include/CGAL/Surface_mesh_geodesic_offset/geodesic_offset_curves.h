@@ -14,6 +14,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/parameters/named_parameters.h>
 
 #include <algorithm>
+#include <initializer_list>
 
 namespace CGAL {
 
@@ -49,7 +50,7 @@ The time is that of setting up the mesh, linear in its size, and of
 \tparam NamedParameters a sequence of named parameters
 \param tm the mesh, which must outlive the curves
 \param sources the sources, in each form that `geodesic_distances()` accepts
-\param levels a distance, a range of distances, or an `Offset_levels` object
+\param levels a distance, a range of distances such as `{1., 2.}`, or an `Offset_levels` object
 \param out the output iterator
 \param np an optional sequence of named parameters among those listed below
 
@@ -68,7 +69,7 @@ The time is that of setting up the mesh, linear in its size, and of
 \throws std::invalid_argument and other exceptions as `geodesic_distances()` and
         `Surface_mesh_geodesic_offset::build_with_offset_curves()`
 */
-template <class TriangleMesh, class Sources, class Levels, class OutputIterator,
+template <class TriangleMesh, class Sources, class Levels = std::initializer_list<double>, class OutputIterator,
           class NamedParameters = parameters::Default_named_parameters>
 OutputIterator geodesic_offset_curves(const TriangleMesh& tm, const Sources& sources, const Levels& levels, OutputIterator out,
                                       const NamedParameters& np = parameters::default_values())

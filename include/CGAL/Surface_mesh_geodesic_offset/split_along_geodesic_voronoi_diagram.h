@@ -18,6 +18,7 @@
 #include <array>
 #include <cstddef>
 #include <map>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -124,6 +125,16 @@ void split_along_geodesic_voronoi_diagram(TriangleMesh& tm, const VoronoiDiagram
       return std::make_pair(c.source_on_left(), c.source_on_right());
       });
   }
+}
+
+// Chosen for meshes that are const or temporary.
+template <class TriangleMesh, class VoronoiDiagram, class NamedParameters = parameters::Default_named_parameters>
+void split_along_geodesic_voronoi_diagram(const TriangleMesh&, const VoronoiDiagram&,
+                                          const NamedParameters& = parameters::default_values())
+{
+  static_assert(
+    !std::is_same<TriangleMesh, TriangleMesh>::value,
+    "split_along_geodesic_voronoi_diagram() splits the mesh in place, which must not be const or temporary: split a copy");
 }
 
 } // namespace CGAL

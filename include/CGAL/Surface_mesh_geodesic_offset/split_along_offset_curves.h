@@ -175,6 +175,14 @@ void split_along_offset_curves(TriangleMesh& tm, const OffsetCurves& curves,
   }
 }
 
+// Chosen for meshes that are const or temporary.
+template <class TriangleMesh, class OffsetCurves, class NamedParameters = parameters::Default_named_parameters>
+void split_along_offset_curves(const TriangleMesh&, const OffsetCurves&, const NamedParameters& = parameters::default_values())
+{
+  static_assert(!std::is_same<TriangleMesh, TriangleMesh>::value,
+                "split_along_offset_curves() splits the mesh in place, which must not be const or temporary: split a copy");
+}
+
 } // namespace CGAL
 
 #endif

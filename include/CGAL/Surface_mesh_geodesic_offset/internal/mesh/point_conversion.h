@@ -44,6 +44,10 @@ decltype(auto) converted_location(const std::pair<Face, std::array<Coordinate, 3
   }
 }
 
+// The message for a point in space where a location is needed.
+#define CGAL_GEODESIC_OFFSET_NEEDS_LOCATION                                                                                    \
+  "Surface_mesh_geodesic_offset: a point in space is no location on the surface; locate() finds the nearest location"
+
 // True for points of any kernel: types with x() and z().
 template <class T, class = void>
 constexpr bool is_point_in_space = false;

@@ -39,7 +39,7 @@ public:
       m_is_shallow(mesh, build.field.distance), m_edge(mesh.mean_edge_length()), m_out(out)
   {
     // With a spacing below the rounding of distances, the number of levels would be practically unlimited.
-    if (m_levels.is_unlimited() && m_levels[0] < Offset_tolerances<FT>::least_spacing(mesh.longest_edge()))
+    if (m_levels.is_unlimited() && m_levels.spacing() < Offset_tolerances<FT>::least_spacing(mesh.longest_edge()))
       throw std::invalid_argument("Surface_mesh_geodesic_offset: the spacing of offsets is less than the rounding of "
                                   "distances");
   }

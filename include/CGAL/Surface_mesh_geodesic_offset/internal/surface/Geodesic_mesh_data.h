@@ -86,6 +86,14 @@ struct Geodesic_mesh_data
     return surface().classified(converted_location<typename Surface::FT>(l));
   }
 
+  // Chosen for points in space.
+  template <class Point, class = std::enable_if_t<is_point_in_space<Point>>>
+  Located_point classified(const Point&) const
+  {
+    static_assert(!is_point_in_space<Point>, CGAL_GEODESIC_OFFSET_NEEDS_LOCATION);
+    return Surface_point::at_vertex(0);
+  }
+
   Computing_traits traits;
   std::shared_ptr<const Surface> shared_surface;
 

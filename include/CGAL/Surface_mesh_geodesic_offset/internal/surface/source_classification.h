@@ -84,8 +84,9 @@ void close_if_ends_meet(const Geodesic_mesh_data<Surface>& mesh, Source& source)
 template <class User_set, class Point, class NamedParameters>
 void add_point(User_set& set, const Point& point, const NamedParameters& np)
 {
+  static_assert(!is_point_in_space<Point>, CGAL_GEODESIC_OFFSET_NEEDS_LOCATION);
   if constexpr (std::is_convertible<const Point&, typename User_set::vertex_descriptor>::value) set.add_vertex(point, np);
-  else set.add_location(point, np);
+  else if constexpr (!is_point_in_space<Point>) set.add_location(point, np);
 }
 
 // Adds the sources of `added` to a set, in the order of their ids; none if check_source() throws, or without memory. Returns the
