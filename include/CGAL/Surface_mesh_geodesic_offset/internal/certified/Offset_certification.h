@@ -47,7 +47,7 @@ public:
 
   Offset_certification(const Certified_mesh& mesh, const Certified_sources& sources, const Certified_field& field,
                        double distance)
-    : m_mesh(mesh), m_sources(sources), m_field(field), m_distance(distance), m_bounds(mesh, sources, field),
+    : m_mesh(mesh), m_sources(sources), m_field(field), m_distance(distance), m_bounds(mesh, sources, field, distance),
       m_region(mesh.unfolded()), m_curves(mesh, sources, m_region), m_side(mesh, sources, m_region, m_curves.pieces)
   {
   }

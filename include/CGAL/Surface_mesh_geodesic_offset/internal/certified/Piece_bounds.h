@@ -22,7 +22,7 @@ namespace Geodesic_offset {
 namespace internal {
 
 // A lower bound of the distances of all points of a piece, and an upper bound of them; and whether no point inside the piece
-// can be a local maximum of the distance, if this was wanted.
+// can be a local maximum of the distance that is larger than the level, if this was wanted.
 //
 // The distance at a point of a face is the least of the functions of the windows whose rays reach it, of the sources in the
 // face, and of the paths by way of the three vertices. Each function has its exact range on the piece. It is at least the
@@ -44,8 +44,9 @@ class Piece_bounds
 public:
   typedef Point_in_face<double> Point;
 
-  Piece_bounds(const Certified_mesh& mesh, const Certified_sources& sources, const Certified_field& field)
-    : m_mesh(mesh), m_sources(sources), m_field(field), m_is_source(mesh.unfolded().number_of_vertices(), 0)
+  // `level`: smaller local maxima do not matter.
+  Piece_bounds(const Certified_mesh& mesh, const Certified_sources& sources, const Certified_field& field, double level)
+    : m_mesh(mesh), m_sources(sources), m_field(field), m_level(level), m_is_source(mesh.unfolded().number_of_vertices(), 0)
   {
     for (const Certified_source_vertex& s : sources.vertices) m_is_source[s.vertex] = 1;
   }
@@ -79,6 +80,7 @@ public:
     const double reach = piece.size > 1 ? piece.diameter() + piece.rounding() : Number_policy<double>::infinity();
     m_lower = m_upper = Number_policy<double>::infinity();
     m_directions.clear();
+    m_dividing = {0., 0.};
     const double everywhere = moved + 4 * length_error * m_perimeter + piece.rounding() + piece.off_circle();
     Face_piece frame[3] = {piece, {}, {}};
     frame[1] = frame[0].in_next_frame(m_mesh, 3 * m_face);
@@ -149,7 +151,12 @@ private:
       const Bounds d = distances_from(piece, s);
       const double error = error_of(s, d, everywhere);
       if (s.start_value + d.first - error > m_upper) return;
-      if (!(d.first > error)) m_has_unknown = true;
+      if (!(d.first > error))
+      {
+        const bool is_first = m_dividing.x == 0 && m_dividing.y == 0;
+        if (is_first && divides(s, piece, error)) return;
+        m_has_unknown = true;
+      }
       for (int i = 0; i < piece.size && !m_has_unknown; ++i)
         for (const Double_double_2& end : {s.first, s.second})
         {
@@ -157,6 +164,21 @@ private:
           add_direction(0, (1 / length(v)) * v);
         }
     });
+  }
+
+  // True if a source segment passes the piece, none of whose points are beyond its ends: each point has only the ray that is normal
+  // to the segment, from its side. On the segment, distances are at most the start value, and no maxima if that is the level or less.
+  // An error of 1e-7 of the segment turns the normal by less than the margin of the directions.
+  bool divides(const Certified_source& s, const Face_piece& piece, double error)
+  {
+    if (!s.is_segment || s.start_value > m_level) return false;
+    const Point way = difference(s.second, s.first), along = (1 / length(way)) * way;
+    const double first = along.x * s.first.x.high + along.y * s.first.y.high;
+    const Bounds place = piece.products_with(along);
+    if (!(error < 0.1 * direction_margin * length(way)) || place.first - first < error || first + length(way) - place.second < error)
+      return false;
+    m_dividing = quarter_turn(along);
+    return true;
   }
 
   static Bounds distances_from_segment(const Face_piece& piece, const Certified_source& s)
@@ -298,13 +320,26 @@ private:
     m_directions.push_back(std::atan2(d.x.high * u.y + d.y.high * u.x, d.x.high * u.x - d.y.high * u.y));
   }
 
-  // True if one of the directions has a positive scalar product with all directions: all lie within less than half a turn. The
-  // margin of the test is far above the rounding of directions.
+  // True if the directions are within less than half a turn, with the normal of a dividing source on each side of it.
   bool are_in_half_plane()
   {
     const bool is_unknown = m_has_unknown;
     m_has_unknown = false;
-    if (is_unknown || m_directions.empty()) return false;
+    if (is_unknown) return false;
+    if (m_dividing.x == 0 && m_dividing.y == 0) return are_within_half_a_turn();
+    const std::vector<double> others = m_directions;
+    add_direction(0, m_dividing);
+    if (!are_within_half_a_turn()) return false;
+    m_directions = others;
+    add_direction(0, -1. * m_dividing);
+    return are_within_half_a_turn();
+  }
+
+  // True if one of the directions has a positive scalar product with all directions. The margin of the test is far above the
+  // rounding of directions.
+  bool are_within_half_a_turn()
+  {
+    if (m_directions.empty()) return false;
     std::sort(m_directions.begin(), m_directions.end());
     double gap = m_directions.front() + 2 * CGAL_PI - m_directions.back();
     for (std::size_t i = 1; i < m_directions.size(); ++i) gap = (std::max)(gap, m_directions[i] - m_directions[i - 1]);
@@ -316,6 +351,7 @@ private:
   const Certified_mesh& m_mesh;
   const Certified_sources& m_sources;
   const Certified_field& m_field;
+  double m_level;
   std::vector<char> m_is_source; // per vertex
   Index m_face = no_index;
   double m_perimeter = 0;
@@ -323,6 +359,7 @@ private:
   double m_lower = 0, m_upper = 0;
   double m_by_vertex[3] = {0, 0, 0};
   std::vector<double> m_directions;
+  Point m_dividing{0, 0}; // normal of a source segment that divides the piece; zero: there is none
   bool m_has_unknown = false;
 };
 
