@@ -167,17 +167,23 @@ private:
   }
 
   // True if a source segment passes the piece, none of whose points are beyond its ends: each point has only the ray that is normal
-  // to the segment, from its side. On the segment, distances are at most the start value, and no maxima if that is the level or less.
-  // An error of 1e-7 of the segment turns the normal by less than the margin of the directions.
+  // to the segment, from its side. A side where the piece is no farther from the segment than the error does not matter if the
+  // distances there are at most the level. An error of 1e-7 of the segment turns the normal by less than the margin of the
+  // directions.
   bool divides(const Certified_source& s, const Face_piece& piece, double error)
   {
-    if (!s.is_segment || s.start_value > m_level) return false;
-    const Point way = difference(s.second, s.first), along = (1 / length(way)) * way;
+    if (!s.is_segment || !(s.start_value + 2 * error <= m_level)) return false;
+    const Point way = difference(s.second, s.first), along = (1 / length(way)) * way, n = quarter_turn(along);
     const double first = along.x * s.first.x.high + along.y * s.first.y.high;
     const Bounds place = piece.products_with(along);
-    if (!(error < 0.1 * direction_margin * length(way)) || place.first - first < error || first + length(way) - place.second < error)
+    if (!(error < 0.1 * direction_margin * length(way)) || place.first - first < error ||
+        first + length(way) - place.second < error)
       return false;
-    m_dividing = quarter_turn(along);
+    const double height = n.x * s.first.x.high + n.y * s.first.y.high;
+    const Bounds heights = piece.products_with(n);
+    m_dividing = n;
+    m_has_side[0] = heights.second - height > error;
+    m_has_side[1] = height - heights.first > error;
     return true;
   }
 
@@ -328,11 +334,13 @@ private:
     if (is_unknown) return false;
     if (m_dividing.x == 0 && m_dividing.y == 0) return are_within_half_a_turn();
     const std::vector<double> others = m_directions;
-    add_direction(0, m_dividing);
-    if (!are_within_half_a_turn()) return false;
-    m_directions = others;
-    add_direction(0, -1. * m_dividing);
-    return are_within_half_a_turn();
+    for (const int side : {0, 1})
+    {
+      m_directions = others;
+      add_direction(0, (side == 0 ? 1. : -1.) * m_dividing);
+      if (m_has_side[side] && !are_within_half_a_turn()) return false;
+    }
+    return true;
   }
 
   // True if one of the directions has a positive scalar product with all directions. The margin of the test is far above the
@@ -359,7 +367,8 @@ private:
   double m_lower = 0, m_upper = 0;
   double m_by_vertex[3] = {0, 0, 0};
   std::vector<double> m_directions;
-  Point m_dividing{0, 0}; // normal of a source segment that divides the piece; zero: there is none
+  Point m_dividing{0, 0};              // normal of a source segment that divides the piece; zero: there is none
+  bool m_has_side[2] = {false, false}; // whether the piece has points on the side of the normal, and on the other side
   bool m_has_unknown = false;
 };
 
