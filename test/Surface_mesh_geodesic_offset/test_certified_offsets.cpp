@@ -11,6 +11,7 @@
 #include "query_cases.h"
 #include "test_check.h"
 
+#include <CGAL/Polygon_mesh_processing/locate.h>
 #include <CGAL/Surface_mesh_geodesic_offset/Surface_mesh_geodesic_enclosure.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Face_piece.h>
 
@@ -664,6 +665,8 @@ void pinched_vertices_within_tolerances()
 }
 
 // Curves on both sides of a polyline, near to each other in a face.
+// Thin strips beside long source segments, which few triangles must cover: inside faces, and along the edges of a cube. A region
+// with the incircle of a loop, whose inner curve is missing, still reaches as far as its center.
 void thin_strips()
 {
   const Generated_mesh<test::Surface_mesh> data(planar_grid(1, 1, Diagonals::backward));
@@ -673,7 +676,40 @@ void thin_strips()
   c.geodesic.add_source_polyline(corners, CGAL::parameters::is_closed(true));
   c.enclosure.add_source_polyline(corners, CGAL::parameters::is_closed(true));
   c.build();
-  for (const double d : {1e-2, 1e-3, 3e-4, 1e-4}) check_ours(c, d);
+  double perimeter = 0, double_area = 0;
+  for (int i = 0; i < 3; ++i)
+  {
+    const Point_3 p = c.geodesic.mesh().triangle_mesh().point(data.vertices[0]); // the origin
+    const auto at = [&](int k) { return CGAL::Polygon_mesh_processing::construct_point(corners[k % 3], data.mesh) - p; };
+    perimeter += std::sqrt((at(i + 1) - at(i)).squared_length());
+    double_area += CGAL::cross_product(at(i), at(i + 1)).z();
+  }
+  const double inradius = std::abs(double_area) / perimeter;
+  for (const double d : {1e-2, 1e-3, 3e-4, 1e-4, 1e-5, 1e-7})
+  {
+    check_ours(c, d);
+    std::vector<Geodesic::Offset_curve> curves = c.offsets(d);
+    CHECK(curves.size() == 2);
+    curves.erase(std::min_element(curves.begin(), curves.end(), [](const auto& a, const auto& b) {
+      return a.length() < b.length();
+    }));
+    const Certificate whole = c.enclosure.certify_offset(d, curves);
+    CHECK_DETAIL(whole.bounds_region && whole.limit == Limit::REGION_TOO_FAR &&
+                   std::abs(whole.tolerance - (inradius - d)) < 1e-9,
+                 values(whole.tolerance, inradius - d));
+    // the curves of twice the level
+    const Certificate twice = c.enclosure.certify_offset(d, c.offsets(2 * d));
+    CHECK_DETAIL(twice.bounds_region && std::abs(twice.tolerance - d) < 1e-9 * d + own_tolerance, values(twice.tolerance, d));
+  }
+  const Generated_mesh<test::Surface_mesh> box(cube_grid(1));
+  Case cube("edges of a cube", box.mesh);
+  std::vector<test::Surface_mesh::Edge_index> edges;
+  cube.geodesic.mesh().sharp_edges(40, std::back_inserter(edges));
+  CHECK(edges.size() == 12);
+  cube.geodesic.add_source_edges(edges);
+  cube.enclosure.add_source_edges(edges);
+  cube.build();
+  for (const double d : {1e-3, 1e-6}) check_ours(cube, d);
 }
 
 // A source outside counts however near its start value is to the level, and so does a point that belongs to no piece. From an

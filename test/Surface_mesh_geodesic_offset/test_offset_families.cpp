@@ -246,6 +246,9 @@ void all_ways(const std::string& name, const test::Surface_mesh& mesh, const std
     for (int i = 1; i <= 12; ++i) multiples.push_back(i * spacing);
     compare(mesh, add_sources, Levels::equally_spaced(spacing, 5), {multiples.begin(), multiples.begin() + 5}, 5);
     compare(mesh, add_sources, Levels::equally_spaced(spacing, 12), multiples, 12);
+    std::vector<double> started;
+    for (int i = 0; i < 5; ++i) started.push_back(part(0.05) + i * spacing);
+    compare(mesh, add_sources, Levels::equally_spaced(spacing, 5, part(0.05)), started, 5);
     // until covered: one more level than multiples below the farthest vertex may exist inside a face
     const std::size_t covered = offsets(geodesic, multiples[7]).empty() ? 7 : 8;
     CHECK(offsets(geodesic, multiples[8]).empty());

@@ -10,6 +10,7 @@
 #include "plane_section.h"
 #include "side_oracle.h"
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -122,6 +123,8 @@ void compare_sides(const test::Surface_mesh& mesh, const std::vector<Section<tes
 
   for (const Offset_curves* side : {&left, &right})
     for (const Offset_curve& curve : *side)
+    {
+      CHECK(curve.side() == (side == &left ? Source_side::LEFT : Source_side::RIGHT));
       for (const Offset_piece& piece : curve.pieces())
       {
         CHECK(piece.side() == (side == &left ? Source_side::LEFT : Source_side::RIGHT));
@@ -131,6 +134,13 @@ void compare_sides(const test::Surface_mesh& mesh, const std::vector<Section<tes
         totals.worst_height = (std::max)(totals.worst_height, -height / diagonal);
         CHECK_DETAIL(height >= -1e-12 * diagonal, values(height, 0));
       }
+    }
+  for (const Offset_curve& curve : both)
+  {
+    std::set<Source_side> sides;
+    for (const Offset_piece& piece : curve.pieces()) sides.insert(piece.side());
+    CHECK(curve.side().has_value() == (sides.size() == 1));
+  }
 }
 
 // The first plane with a closed, or open, section curve; returns false if there is none.

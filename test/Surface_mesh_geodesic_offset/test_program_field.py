@@ -39,6 +39,16 @@ def test_field(bench):
     bench.run(mesh, *bench.segment(TILTED), "--field", field)
     names, vertices = read_field(field)
     check(names == ["x", "y", "z", "distance", "signed_distance"] and len(vertices) == 169, "properties %s" % names)
+    again, table = bench.path("again.ply"), bench.path("field.csv")
+    bench.run(mesh, *bench.segment(TILTED), "--field", again, "--field", table)
+    with open(field, "rb") as one, open(again, "rb") as other:
+        check(one.read() == other.read(), "the first of two fields")
+    with open(table) as file:
+        rows = list(csv.reader(file))
+    check(len(rows) == 170, "%d rows of the second field" % len(rows))
+    bench.run(mesh, *bench.center(HORIZONTAL), "--distance", 1, "--output", bench.path("offset.csv"))
+    with open(bench.path("offset.csv")) as file:
+        check(all(cell != "-0" for row in rows + list(csv.reader(file)) for cell in row), "-0")
     sides = set()
     for v in vertices:
         distance, side = from_segment(TILTED.plane((v["x"], v["y"], v["z"])))

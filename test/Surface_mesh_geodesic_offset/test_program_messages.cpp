@@ -183,6 +183,8 @@ private:
     check_line(expect_good("a point 1 % off", at_height("-1.16")).output, {"moved to the surface, by at most 1.16"});
     expect_warning("a point more than 1 % off", at_height("1.17"), {"--source-point 20,30,1.17", "1.17 away", "1 % of"});
     expect_warning("a point far off", at_height("50"), {"--source-point 20,30,50", "50 away", "42.9 % of"});
+    expect_warning("a point in a national grid", on_plate({"--source-point", "482453.25,5459623.75,0", "--distance", "5"}),
+                   {"--source-point 482453,5459624,0 is"});
 
     const std::string curve = path("moved.polylines.txt");
     write_file(curve, "# in another unit\n2 10 10 0 20 10 0\n2 10000 10000 0 20000 50000 0\n");
@@ -295,6 +297,21 @@ private:
     const double few = windows("with curves alone", {"--output", path("grid.vtk")});
     CHECK_DETAIL(few < all / 20, values(few, all));
     CHECK(json_number(stats(), "largest_distance") == 4 && json_number(stats(), "covered_distance") == 4);
+
+    // the right side of a segment ends at the border, far before the left one
+    write_file(scratch_ / "segment.polylines.txt", "2 5 2 0 35 2 0\n");
+    const Words right = {path("grid.off"), "--source-polyline", path("segment.polylines.txt"), "--side", "right"};
+    const auto family = [&](const std::string& what, Words more) {
+      more.insert(more.begin(), right.begin(), right.end());
+      check_line(expect_good(what, with_stats(more)).output, {"offsets: 3 curves at 3 distances"});
+      return json_number(stats(), "windows_propagated");
+    };
+    const double both = family("one side and a field", {"--spacing", "0.6", "--field", path("grid.ply")});
+    const double one = family("one side", {"--spacing", "0.6"});
+    CHECK_DETAIL(one < both / 5, values(one, both));
+    Words far = right;
+    far.insert(far.end(), {"--distance", "1.2,30"});
+    expect_warning("one side, too far", with_stats(far), {"no offset at distance 30 with --side right"});
     for (const char* name : {"grid.ply", "grid.png", "grid.vtk", "stats.json"}) std::filesystem::remove(scratch_ / name);
   }
 
@@ -315,6 +332,9 @@ private:
     levels("a start and a count", {"--spacing", "5", "--start", "2", "--count", "2"}, {2, 7});
     levels("distances and a spacing", {"--distance", "2.5", "--spacing", "5", "--distance", "1", "--distance", "10"},
            {1, 2.5, 5, 10, 15});
+    levels("distances in one word", {"--distance", "1,2.5", "--distance", "4"}, {1, 2.5, 4});
+    check_line(expect_good("offsets without a file", on_plate({"--source-boundary", "--spacing", "5"})).output,
+               {"offsets: in no file"});
     levels("distances and a count", {"--distance", "16", "--spacing", "5", "--count", "1"}, {5, 16});
     check_line(levels("a number of distances", {"--distance", "1", "--distance", "2"}, {1, 2}), {"offsets: at 2 distances"});
     check_line(levels("a largest number", {"--spacing", "5"}, {5, 10, 15}), {"offsets: at no more than", "distances"});
@@ -345,6 +365,9 @@ private:
     expect_limit("tolerance below rounding", {"--distance", "5", "--tolerance", "1e-300"}, {"--tolerance 1e-300", "rounding"});
     const Words fine = {"--tolerance", "1.1e-10", "--spacing", "0.05"};
     expect_limit("too many points", fine, {"20000000 points", "--tolerance"});
+    Words figures = with_stats(on_plate({"--source-boundary"}));
+    figures.insert(figures.end(), fine.begin(), fine.end());
+    expect_good("as many points, which no output needs", figures);
     for (const char* threads : {"1000000000", "1025", "18446744073709551615"})
     {
       const Program_result result =

@@ -50,6 +50,16 @@ public:
     CHECK(own.find("curves: " + std::to_string(lines_.size()) + " curves") != std::string::npos);
     run(lines_, certified, {"--tolerance", "2e-4"});
     run(lines_, not_certified, {"--tolerance", "1e-7"});
+    for (const char* distance : {"1.6", "1.61", "1.62", "1.63", "1.65", "1.67", "1.71"})
+    { // the printed tolerance is rounded up, so that it is accepted
+      const std::string text = run(lines_, certified, {"--distance", distance}, false);
+      const std::size_t begin = text.find("\ntolerance: ") + 12;
+      run(lines_, certified, {"--distance", distance, "--tolerance", text.substr(begin, text.find(',', begin) - begin)}, false);
+    }
+    // beyond the surface, no curve is the offset
+    const std::string none = run({}, certified, {"--distance", "100", "--tolerance", "1e-9"}, false);
+    CHECK_DETAIL(none.find("tolerance: 0 (") != std::string::npos, none);
+    CHECK_DETAIL(number(run({}, certified), "tolerance") > 0.1, "no curves within the surface");
     const std::string other = run(lines_, certified, {"--distance", "1.7"}, false);
     CHECK_DETAIL(number(other, "tolerance") > 0.0999 && number(other, "tolerance") < 0.1002, other);
     CHECK(other.find("nearer to the sources") != std::string::npos);
@@ -87,8 +97,7 @@ public:
   void bad_input()
   {
     Report::instance().set_context("bad input");
-    write_file(scratch_ / "empty.polylines.txt", "");
-    const std::string empty = (scratch_ / "empty.polylines.txt").string(), none = (scratch_ / "none").string();
+    const std::string none = (scratch_ / "none").string();
     const Arguments good = {mesh_, "--source-vertex", "0", "--distance", "1.6", "--curves", curves_};
     refuse(2, {mesh_, "--source-vertex", "0", "--distance", "1.6"}, "no --curves given");
     refuse(2, {mesh_, "--source-vertex", "0", "--curves", curves_}, "no --distance given");
@@ -101,7 +110,6 @@ public:
       refuse(2, bad, std::string(option) + " must be a positive finite number, not '0'");
     }
     refuse(1, {mesh_, "--source-vertex", "0", "--distance", "1.6", "--curves", none}, "No such file");
-    refuse(1, {mesh_, "--source-vertex", "0", "--distance", "1.6", "--curves", empty}, "is empty");
     refuse(1, {none, "--source-vertex", "0", "--distance", "1.6", "--curves", curves_}, "none");
     CHECK(run_program(program_, {"--help"}).output.find("--curves") != std::string::npos);
     CHECK(run_program(program_, {"--version"}).output.find("validate_geodesic_offsets ") == 0);

@@ -165,6 +165,21 @@ def check_across(bench, reader):
         check(compared > 50000 and different < 0.003 * compared, "%s: %d of %d pixels differ" % (options, different, compared))
 
 
+def check_far_side(bench, reader):
+    """What lies on the far side of a plate of eight pixels does not show through it: no path, no source, and no white rim."""
+    with open(bench.path("thin.off"), "w") as out:
+        out.write("OFF\n8 12 0\n" + "".join("%g %g %g\n" % (x, y, z) for z in (0, 0.5) for y in (0, 60) for x in (0, 100)))
+        for a, b, c, d in ((0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5)):
+            out.write("3 %d %d %d\n3 %d %d %d\n" % (a, b, c, a, c, d))
+    for view, is_near in (("0,0,-1", True), ("0,0,1", False)):
+        bench.run(bench.path("thin.off"), "--source-point", "20,30,0", "--path-from", "80,40,0", "--view", view,
+                  "--picture", bench.path("p.png"))
+        picture = Picture(reader, bench.path("p.png"))
+        for name, mark in (("rim", (255, 255, 255)), ("path", (24, 60, 190)), ("source", (226, 24, 54))):
+            marked = sum(picture.rgb(x, y) == mark for y in range(picture.height) for x in range(picture.width))
+            check(marked > 100 if is_near else marked == 0, "view %s: %d pixels of the %s" % (view, marked, name))
+
+
 def test_picture(bench):
     try:
         from vtkmodules.vtkIOImage import vtkPNGReader
@@ -172,6 +187,7 @@ def test_picture(bench):
         skip("python3-vtk9")
     check_boundary(bench, vtkPNGReader)
     check_across(bench, vtkPNGReader)
+    check_far_side(bench, vtkPNGReader)
 
 
 if __name__ == "__main__":

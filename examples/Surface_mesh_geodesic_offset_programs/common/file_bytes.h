@@ -37,8 +37,8 @@ class File_bytes
   static std::string reason() { return errno == 0 ? std::string("unknown error") : std::string(std::strerror(errno)); }
 
 public:
-  // Throws Input_error, also for an empty file. Pipes and devices are read to their end.
-  explicit File_bytes(const std::string& path)
+  // Throws Input_error, also for an empty file, unless it may be empty. Pipes and devices are read to their end.
+  explicit File_bytes(const std::string& path, bool may_be_empty = false)
   {
     std::error_code error;
     if(std::filesystem::is_directory(path, error)) fail(path, "it is a directory");
@@ -58,7 +58,7 @@ public:
       fail(path, "it does not fit into memory");
     }
     if(std::ferror(file.get())) fail(path, reason());
-    if(m_size == 0) throw Input_error(quoted(path) + " is empty");
+    if(m_size == 0 && !may_be_empty) throw Input_error(quoted(path) + " is empty");
   }
 
   std::string_view view() const { return {m_bytes.get(), m_size}; }

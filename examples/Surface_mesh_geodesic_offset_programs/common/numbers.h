@@ -7,6 +7,7 @@
 #ifndef GEODESIC_OFFSET_NUMBERS_H
 #define GEODESIC_OFFSET_NUMBERS_H
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstddef>
@@ -77,13 +78,25 @@ bool parse_numbers(const std::string& word, Array& values)
   return true;
 }
 
-// Shortest useful form of a number for people.
+// Short form of a number for people: six digits, or more for all digits before the point, as of coordinates in a national grid.
 inline std::string short_number(double value)
 {
+  constexpr int few = 6, most = std::numeric_limits<double>::digits10;
   std::ostringstream stream;
-  stream.precision(6);
+  stream.precision(few);
+  for(double limit = 1e6; std::abs(value) >= limit && stream.precision() < most; limit *= 10)
+    stream.precision(stream.precision() + 1);
   stream << value;
   return stream.str();
+}
+
+// The same, rounded up.
+inline std::string short_upper_bound(double value)
+{
+  std::string text = short_number(value);
+  for(double larger = value; std::strtod(text.c_str(), nullptr) < value; text = short_number(larger))
+    larger += std::max(1e-7 * std::abs(value), std::numeric_limits<double>::denorm_min());
+  return text;
 }
 
 // With as many digits as a reader needs to get the same double

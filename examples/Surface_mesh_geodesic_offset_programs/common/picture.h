@@ -48,7 +48,7 @@ struct Picture_size
 template <class Distances>
 class Picture
 {
-  static constexpr int strip_rows = 32;
+  static constexpr int strip_rows = 64;
   static constexpr double legend_width = 170; // including its distance from the mesh
   static constexpr double offset_radius = 1.0;
   static constexpr double path_radius = 1.7;
@@ -225,6 +225,16 @@ private:
     }
   }
 
+  // Change of the depth of a face, in pixels per pixel.
+  double slope_of(Face f) const
+  {
+    const std::array<std::size_t, 3> v = corners(f);
+    const View_point &a = m_points[v[0]], &b = m_points[v[1]], &c = m_points[v[2]];
+    const double p[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]}, q[3] = {c[0] - a[0], c[1] - a[1], c[2] - a[2]};
+    const double area = std::abs(p[0] * q[1] - p[1] * q[0]);
+    return area > 0 ? std::hypot(p[2] * q[1] - p[1] * q[2], p[0] * q[2] - p[2] * q[0]) / area : infinity;
+  }
+
   std::array<std::size_t, 3> corners(Face f) const
   {
     const Halfedge h = m_mesh.halfedge(f);
@@ -272,10 +282,11 @@ private:
   {
     // beside a line on a slope, the surface is nearer to the viewer than the line
     const auto bias = [](double radius) { return 3 * radius + 1; };
+    const auto slope = [this](std::uint32_t face) { return slope_of(Face(face)); };
     const auto draw = [&](const std::vector<View_point>& line, double radius, Mark mark) {
       for(std::size_t i = 0; i + 1 < line.size(); ++i)
         if(std::min(line[i][1], line[i + 1][1]) < first + rows + 12 && std::max(line[i][1], line[i + 1][1]) > first - 12)
-          raster.line(line[i], line[i + 1], radius, mark, bias(radius));
+          raster.line(line[i], line[i + 1], radius, mark, bias(radius), slope);
     };
     for(const std::vector<View_point>& line : m_offsets) draw(line, offset_radius, Mark::offset);
     for(const std::vector<View_point>& line : m_paths)

@@ -42,7 +42,7 @@ inline std::string polyline_format_hint()
 
 } // namespace internal
 
-// Reads polylines from the bytes of a file. `path` is for messages. Throws Input_error.
+// Reads polylines from the bytes of a file, perhaps none. `path` is for messages. Throws Input_error.
 inline std::vector<File_polyline> parse_polylines(const std::string& path, std::string_view bytes)
 {
   Text_scanner text(path, bytes, Text_style::with_comments);
@@ -71,15 +71,16 @@ inline std::vector<File_polyline> parse_polylines(const std::string& path, std::
       polylines.back().points.emplace_back(c[0], c[1], c[2]);
     }
   }
-  if(polylines.empty()) throw Input_error(quoted(path) + " has no polylines");
   return polylines;
 }
 
 // Throws Input_error.
-inline std::vector<File_polyline> read_polylines(const std::string& path)
+inline std::vector<File_polyline> read_polylines(const std::string& path, bool may_be_empty = false)
 {
-  const File_bytes bytes(path);
-  return parse_polylines(path, bytes.view());
+  const File_bytes bytes(path, may_be_empty);
+  std::vector<File_polyline> polylines = parse_polylines(path, bytes.view());
+  if(polylines.empty() && !may_be_empty) throw Input_error(quoted(path) + " has no polylines");
+  return polylines;
 }
 
 } // namespace geodesic_offset

@@ -35,7 +35,7 @@ class Raster
 {
 public:
   static constexpr int samples = 4; // per pixel, in each direction
-  static constexpr int margin = 4; // rows of samples above and below, for neighbourhood operations
+  static constexpr int margin = 36; // rows of samples above and below, for neighbourhoods, as half the width of a line
 
 private:
   static constexpr float nothing = -3e38f; // depth without surface
@@ -99,11 +99,16 @@ public:
     }
   }
 
-  // Line with round ends. Hidden where the surface is more than `bias` in front of it.
-  void line(const View_point& a, const View_point& b, double radius, Mark mark, double bias)
+  // Line with round ends. Hidden where the surface is more than `bias` in front of it, and where its middle is hidden: there the
+  // surface is in front of it by more than the rounding of samples, which grows with slope(thing).
+  template <class Slope>
+  void line(const View_point& a, const View_point& b, double radius, Mark mark, double bias, const Slope& slope)
   {
-    stroke(a, b, radius, [&](Sample& s, double depth) {
-      if(mark > s.mark && depth >= static_cast<double>(s.depth) - bias) s.mark = mark;
+    stroke(a, b, radius, [&](Sample& s, const View_point& middle) {
+      if(mark <= s.mark || middle[2] < static_cast<double>(s.depth) - bias) return;
+      const Sample& m = at(clamped(std::floor(middle[0] * samples), 0, m_width - 1),
+                           clamped(std::floor(middle[1] * samples), m_first_row, m_first_row + m_rows - 1));
+      if(m.is_nothing() || middle[2] >= static_cast<double>(m.depth) - 0.5 - slope(m.thing) / samples) s.mark = mark;
     });
   }
 
@@ -124,7 +129,7 @@ public:
   // Line with round ends in front of everything.
   void ink(double x0, double y0, double x1, double y1, double radius)
   {
-    stroke({x0, y0, 0}, {x1, y1, 0}, radius, [&](Sample& s, double) { s.mark = Mark::ink; });
+    stroke({x0, y0, 0}, {x1, y1, 0}, radius, [&](Sample& s, const View_point&) { s.mark = Mark::ink; });
   }
 
   // Marks the samples where the surface ends in front of something at least `jump` deeper.
@@ -196,7 +201,8 @@ private:
         const double px = position(x) - a[0], py = position(y) - a[1];
         const double t = square > 0 ? std::min(std::max((px * dx + py * dy) / square, 0.0), 1.0) : 0.0;
         const double ex = px - t * dx, ey = py - t * dy;
-        if(ex * ex + ey * ey <= radius * radius) draw(at(x, y), a[2] + t * (b[2] - a[2]));
+        if(ex * ex + ey * ey <= radius * radius)
+          draw(at(x, y), View_point{a[0] + t * dx, a[1] + t * dy, a[2] + t * (b[2] - a[2])});
       }
   }
 

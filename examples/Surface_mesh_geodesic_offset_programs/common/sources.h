@@ -167,6 +167,8 @@ public:
 
   double smallest_start_value() const { return *std::min_element(m_start_values.begin(), m_start_values.end()); }
 
+  double largest_start_value() const { return *std::max_element(m_start_values.begin(), m_start_values.end()); }
+
   // Whether all sources are single points, away from the vertices of the mesh.
   bool are_points() const { return m_vertices.empty() && m_polylines.empty() && m_boundary_cycles.empty() && m_edges.empty(); }
 
@@ -175,7 +177,7 @@ public:
   template <class Function>
   void for_each_start(const Function& f) const
   {
-    const double start = *std::max_element(m_start_values.begin(), m_start_values.end());
+    const double start = largest_start_value();
     for(Vertex v : m_vertices) f(v, start);
     for(const Face_location& location : m_points) for_each_corner(location, start, f);
     for(const Surface_polyline& polyline : m_polylines)

@@ -185,7 +185,7 @@ inline void write_field_csv(std::ostream& out, const Soup& soup, const File_fiel
   for(std::size_t i = 0; i < soup.points.size(); ++i)
   {
     const Point& p = soup.points[i];
-    out << p.x() << ',' << p.y() << ',' << p.z();
+    out << p.x() + 0. << ',' << p.y() + 0. << ',' << p.z() + 0.; // no -0
     for(const Field_column& column : field.columns)
       for(std::size_t k = column.components * i; k < column.components * (i + 1); ++k)
       {
@@ -193,7 +193,7 @@ inline void write_field_csv(std::ostream& out, const Soup& soup, const File_fiel
         if(std::isnan(column.values[k])) // without a sign
           out << "nan";
         else
-          out << column.values[k];
+          out << column.values[k] + 0;
       }
     out << '\n';
   }

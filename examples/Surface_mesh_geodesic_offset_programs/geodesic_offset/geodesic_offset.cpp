@@ -91,6 +91,8 @@ Sources find_sources(const Mesh_input& input, const Options& options, Geodesic& 
     throw Input_error("--maximum-distance " + short_number(*options.maximum_distance) +
                       " leaves no distances: the smallest --start-value is " + short_number(sources.smallest_start_value()));
   if(const std::string useless = useless_side(options, sources); !useless.empty()) progress.warning(useless);
+  if(options.has_levels() && !options.shows_offsets())
+    progress.line("offsets: in no file, as there is no --output, --split, --picture or --stats");
   return sources;
 }
 
@@ -147,7 +149,7 @@ Solution solve(const Mesh_input& input, const Sources& sources, const Levels& le
   Offsets offsets = build_and_cut<Concurrency_tag>(geodesic, sources, figures.insides, levels, options,
                                                    chord_tolerance(options, input), drawing, level_files, progress);
   level_files.finish();
-  File_field field(input, geodesic, !options.field.empty() && sources.has_polylines(), options.field_details,
+  File_field field(input, geodesic, !options.fields.empty() && sources.has_polylines(), options.field_details,
                    options.has_tolerance());
   figures.largest_distance = geodesic.largest_distance().value();
   figures.covered_distance = geodesic.covered_distance();
@@ -171,7 +173,7 @@ Solution solve(const Mesh_input& input, const Sources& sources, const Levels& le
     progress.line("offsets: " + counted(offsets.number_of_curves(), "curve") + " at " +
                   counted(offsets.levels.size(), "distance"));
   for(const std::string& reason : missing_offsets(options, levels, offsets.levels, sources.smallest_start_value(),
-                                                  figures.largest_distance, figures.unreached_parts != 0))
+                                                  figures.largest_distance, geodesic.is_cancelled(), figures.unreached_parts != 0))
     progress.warning(reason);
   return {std::move(offsets), geodesic.statistics(), std::move(field)};
 }
@@ -195,10 +197,10 @@ void write(const Solution& solution, const Mesh_input& input, const Sources& sou
   const std::vector<Offset_curve>& curves = solution.offsets.curves;
   const Stopwatch time;
   const std::string not_drawn = add_curve_files(files, options, solution.offsets, chord_tolerance(options, input));
-  if(!options.field.empty())
+  for(const std::string& file : options.fields)
     files.add(
-      options.field, [&](std::ostream& out) { write_field(out, options.field, input.soup(), solution.field); },
-      bytes_of_field(options.field, input.soup(), solution.field));
+      file, [&](std::ostream& out) { write_field(out, file, input.soup(), solution.field); },
+      bytes_of_field(file, input.soup(), solution.field));
   if(!options.split.empty())
   {
     progress.show("splitting " + quoted(options.mesh));

@@ -47,7 +47,8 @@ inline po::options_description level_options_description()
   const auto words = [](const char* name) { return po::value<Words>()->value_name(name); };
   const auto word = [](const char* name) { return po::value<std::string>()->value_name(name); };
   po::options_description levels("Levels");
-  levels.add_options()("distance", words("D"), "offset at distance D (repeatable, also together with --spacing)")(
+  levels.add_options()("distance", words("D,..."),
+                       "offset at distance D, or at several, separated by commas (repeatable, also together with --spacing)")(
     "spacing", word("S"), "offsets at S, 2 S, 3 S, ... until the whole surface is covered")(
     "start", word("D"),
     "with --spacing: offsets at D, D + S, D + 2 S, ... instead")("count", word("N"), "with --spacing: at most N of them")(
@@ -86,7 +87,12 @@ inline std::optional<CGAL::Offset_end> offset_end(const std::string& word)
 
 inline void read_level_options(const po::variables_map& map, Level_options& options)
 {
-  for(const std::string& w : option_words(map, "distance")) options.distances.push_back(positive_number("distance", w));
+  for(const std::string& words : option_words(map, "distance"))
+    for(std::size_t begin = 0, end = 0; end != std::string::npos; begin = end + 1)
+    {
+      end = words.find(',', begin);
+      options.distances.push_back(positive_number("distance", words.substr(begin, end - begin)));
+    }
   options.spacing = optional_positive_number(map, "spacing");
   options.start = optional_positive_number(map, "start");
   options.count = optional_whole_number(map, "count");

@@ -28,12 +28,25 @@
 namespace geodesic_offset {
 namespace internal {
 
+inline bool is_only_drawn(const Options& options)
+{
+  const std::vector<std::string> files = options.files_written();
+  return std::all_of(files.begin(), files.end(), [](const std::string& file) { return has_extension(file, ".svg"); });
+}
+
+// Whether some output needs all offsets at once.
+inline bool needs_all_curves(const Options& options)
+{
+  return !options.split.empty() || !options.picture.empty() ||
+         !std::all_of(options.outputs.begin(), options.outputs.end(), Level_files::supports);
+}
+
 // Receives the offsets, which arrive by increasing distance: checks whether they can be written, writes those of files that are
 // written level by level, and keeps the others.
 class Offset_collector
 {
-  // 1.2 GB of text per file, at 60 bytes per point, and, for outputs that need all curves, up to 3 GB of memory, at 150 bytes
-  // per piece of a curve, each of which has at least one point
+  // of outputs that need all curves: up to 3 GB of memory, at 150 bytes per piece of a curve, each of which has at least one
+  // point
   static constexpr std::size_t most_points = 20000000;
 
   double m_tolerance;
@@ -44,13 +57,16 @@ class Offset_collector
   Offsets& m_offsets;
   std::size_t m_levels = 0;
   double m_distance = 0;
+  bool m_ends_without_curves;
+  double m_last_start; // the largest start value of the sources
+  bool m_has_ended = false;
 
 public:
-  // is_only_drawn: all outputs are .svg files. keeps_curves: some output needs all curves at once.
-  Offset_collector(double tolerance, bool is_only_drawn, bool keeps_curves, Drawing_check& drawing, Level_files& files,
+  Offset_collector(const Options& options, double tolerance, double last_start, Drawing_check& drawing, Level_files& files,
                    Offsets& offsets)
-    : m_tolerance(tolerance), m_is_only_drawn(is_only_drawn), m_keeps_curves(keeps_curves), m_drawing(drawing), m_files(files),
-      m_offsets(offsets)
+    : m_tolerance(tolerance), m_is_only_drawn(is_only_drawn(options)), m_keeps_curves(needs_all_curves(options)),
+      m_drawing(drawing), m_files(files), m_offsets(offsets),
+      m_ends_without_curves(!options.takes_everything() && !options.needs_field()), m_last_start(last_start)
   {
   }
   Offset_collector(const Offset_collector&) = delete;
@@ -59,17 +75,17 @@ public:
   std::size_t number_of_levels() const { return m_levels; }
   double distance() const { return m_distance; }
 
+  // Whether no curves are left: paths to farther points of one side would pass the last level on that side, as all start values
+  // are less.
+  bool has_ended() const { return m_has_ended; }
+
   // Throws Usage_error and Input_error.
   void operator()(double distance, std::vector<Offset_curve>&& curves)
   {
     ++m_levels;
     m_distance = distance;
-    for(const Offset_curve& curve : curves)
-      for(const auto& piece : curve.pieces()) m_offsets.points += piece.number_of_chords(m_tolerance);
-    if(m_offsets.points > most_points)
-      throw Usage_error("the offsets up to distance " + short_number(distance) + " have more than " +
-                        std::to_string(most_points) + " points: use fewer distances, or a --tolerance larger than " +
-                        short_number(m_tolerance));
+    if(m_keeps_curves) count_points(curves);
+    if(m_ends_without_curves && curves.empty() && distance > m_last_start) m_has_ended = true;
     m_drawing.look_at(curves);
     if(m_is_only_drawn && !m_drawing.problem().empty()) throw Input_error(m_drawing.problem());
     if(!curves.empty()) m_offsets.levels.push_back(figures_of(distance, curves));
@@ -80,6 +96,18 @@ public:
   }
 
 private:
+  // Throws Usage_error.
+  void count_points(const std::vector<Offset_curve>& curves)
+  {
+    for(const Offset_curve& curve : curves)
+      for(const auto& piece : curve.pieces()) m_offsets.points += piece.number_of_chords(m_tolerance);
+    if(m_offsets.points > most_points)
+      throw Usage_error("the offsets up to distance " + short_number(m_distance) + " have more than " +
+                        std::to_string(most_points) + " points, which some outputs need at once: use fewer distances, a " +
+                        "--tolerance larger than " + short_number(m_tolerance) +
+                        ", or only --output files in .polylines.txt, .vtp, .obj or .csv");
+  }
+
   static Level_figures figures_of(double distance, const std::vector<Offset_curve>& curves)
   {
     Level_figures level;
@@ -108,7 +136,8 @@ public:
   {
   }
 
-  // `done`: fraction of the surface that the front has passed. With a distance limit the last value is below 1.
+  // `done`: fraction of the surface that the front has passed. With a distance limit the last value is below 1. Returns false
+  // when no curves are left.
   bool operator()(double done) const
   {
     if(m_levels.empty())
@@ -117,22 +146,10 @@ public:
       m_progress.show("distances and offsets", std::max(done, m_collector.distance() / m_limit),
                       std::to_string(m_collector.number_of_levels()) +
                         (m_levels.is_open_ended() ? "" : " of " + std::to_string(m_levels.size())) + " cut");
-    return true;
+    return !m_collector.has_ended();
   }
 };
 
-inline bool is_only_drawn(const Options& options)
-{
-  const std::vector<std::string> files = options.files_written();
-  return std::all_of(files.begin(), files.end(), [](const std::string& file) { return has_extension(file, ".svg"); });
-}
-
-// Whether some output needs all offsets at once.
-inline bool needs_all_curves(const Options& options)
-{
-  return !options.split.empty() || !options.picture.empty() ||
-         !std::all_of(options.outputs.begin(), options.outputs.end(), Level_files::supports);
-}
 
 } // namespace internal
 
@@ -154,8 +171,7 @@ Offsets build_and_cut(Geodesic& geodesic, const Sources& sources,
 {
   Offsets offsets;
   const double limit = distance_limit(options, levels, sources);
-  internal::Offset_collector collector(tolerance, internal::is_only_drawn(options), internal::needs_all_curves(options),
-                                       drawing, files, offsets);
+  internal::Offset_collector collector(options, tolerance, sources.largest_start_value(), drawing, files, offsets);
   const auto parameters =
     CGAL::parameters::distance_limit(limit)
       .compute_largest_distance(true)

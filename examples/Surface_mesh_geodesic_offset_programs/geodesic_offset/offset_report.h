@@ -88,10 +88,11 @@ inline std::string named_distances(const std::vector<double>& distances)
 } // namespace internal
 
 // One sentence per reason for named distances without offset. `figures`: of the distances with offsets; `start`: smallest start
-// value of the sources; `reach`: largest computed distance; has_unreached_parts: whether parts of the surface have no sources.
+// value of the sources; `reach`: largest computed distance; `ends_before`: nothing is selected beyond; has_unreached_parts: whether
+// parts of the surface have no sources.
 inline std::vector<std::string> missing_offsets(const Options& options, const Levels& levels,
                                                 const std::vector<Level_figures>& figures, double start, double reach,
-                                                bool has_unreached_parts)
+                                                bool ends_before, bool has_unreached_parts)
 {
   std::vector<double> before_start, beyond_maximum, beyond_surface, not_selected;
   for(double distance : levels.named())
@@ -104,7 +105,7 @@ inline std::vector<std::string> missing_offsets(const Options& options, const Le
       before_start.push_back(distance);
     else if(distance > options.maximum_distance.value_or(infinity))
       beyond_maximum.push_back(distance);
-    else if(distance > reach || options.takes_everything())
+    else if((distance > reach && !ends_before) || options.takes_everything())
       beyond_surface.push_back(distance);
     else
       not_selected.push_back(distance);

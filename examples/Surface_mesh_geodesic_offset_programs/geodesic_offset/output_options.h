@@ -21,7 +21,7 @@ namespace geodesic_offset {
 struct Output_options
 {
   std::vector<std::string> outputs; // offsets
-  std::string field;
+  std::vector<std::string> fields;
   bool field_details = false; // sources, sides and gradients in the field
   std::string split; // the mesh split along the offsets
   std::vector<std::string> voronoi; // curves between cells, or the mesh split along them
@@ -36,14 +36,17 @@ struct Output_options
   std::vector<std::string> files_written() const
   {
     std::vector<std::string> result = outputs;
-    result.insert(result.end(), voronoi.begin(), voronoi.end());
-    for(const std::string& file : {field, split, source_output, picture, stats})
+    for(const std::vector<std::string>* files : {&fields, &voronoi}) result.insert(result.end(), files->begin(), files->end());
+    for(const std::string& file : {split, source_output, picture, stats})
       if(!file.empty()) result.push_back(file);
     return result;
   }
 
+  // Whether an output contains the offsets.
+  bool shows_offsets() const { return !outputs.empty() || !split.empty() || !picture.empty() || !stats.empty(); }
+
   // Whether an output contains the distances of the whole surface.
-  bool shows_field() const { return !field.empty() || !split.empty() || !voronoi.empty() || !picture.empty(); }
+  bool shows_field() const { return !fields.empty() || !split.empty() || !voronoi.empty() || !picture.empty(); }
 };
 
 namespace internal {
@@ -58,10 +61,10 @@ inline po::options_description output_options_description()
                         "plane, .svg (repeatable)")(
     "tolerance", word("T"), "chord tolerance of the written polylines (default: 1e-4 of the bounding-box diagonal)")(
     "unit", word("UNIT"), "unit of the mesh, for .dxf and .svg: mm, cm, m or in (default: none)")(
-    "field", word("FILE"),
+    "field", words("FILE"),
     "the input's vertices with their distances, signed ones too if there are polylines, as .ply or "
-    ".vtk with its faces, or as .csv")("field-details", po::bool_switch(),
-                                       "with --field: nearest source, its side, and gradient, too")(
+    ".vtk with its faces, or as .csv (repeatable)")("field-details", po::bool_switch(),
+                                                    "with --field: nearest source, its side, and gradient, too")(
     "split", word("FILE.ply"),
     "the mesh split along the offsets, its faces with their band between the distances, the source "
     "nearest to their centroid, and the colour of the band")(
@@ -107,10 +110,10 @@ inline void check_extension(const char* option, const std::string& file, const c
 inline void check_outputs(const po::variables_map& map, const Output_options& options)
 {
   for(const std::string& output : options.outputs) check_offset_format(output);
-  if(!options.field.empty() && !has_extension(options.field, ".ply") && !has_extension(options.field, ".vtk") &&
-     !has_extension(options.field, ".csv"))
-    throw Usage_error("--field " + quoted(options.field) + " must end in .ply, .vtk or .csv");
-  if(options.field_details && options.field.empty()) throw Usage_error("--field-details needs --field");
+  for(const std::string& file : options.fields)
+    if(!has_extension(file, ".ply") && !has_extension(file, ".vtk") && !has_extension(file, ".csv"))
+      throw Usage_error("--field " + quoted(file) + " must end in .ply, .vtk or .csv");
+  if(options.field_details && options.fields.empty()) throw Usage_error("--field-details needs --field");
   check_extension("split", options.split, ".ply");
   for(const std::string& file : options.voronoi)
     if(!has_extension(file, ".polylines.txt") && !has_extension(file, ".vtk") && !has_extension(file, ".ply"))
@@ -138,7 +141,7 @@ inline void check_outputs(const po::variables_map& map, const Output_options& op
 inline void read_output_options(const po::variables_map& map, Output_options& options)
 {
   options.outputs = option_words(map, "output");
-  options.field = option_word(map, "field");
+  options.fields = option_words(map, "field");
   options.field_details = map["field-details"].as<bool>();
   options.split = option_word(map, "split");
   options.voronoi = option_words(map, "voronoi");

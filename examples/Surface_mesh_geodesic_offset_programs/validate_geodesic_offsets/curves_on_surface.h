@@ -31,7 +31,7 @@ class Curves_on_surface
 public:
   Curves_on_surface(const Geodesic_mesh& geodesic, const std::string& file) : m_geodesic(geodesic)
   {
-    for(const File_polyline& polyline : read_polylines(file))
+    for(const File_polyline& polyline : read_polylines(file, true))
       add(polyline, quoted(file) + ", line " + std::to_string(polyline.line));
   }
 

@@ -44,7 +44,7 @@ public:
     else
     {
       line(
-        "tolerance", short_number(c.tolerance) + ", " + short_number(c.tolerance / diagonal) + " of the diagonal",
+        "tolerance", short_upper_bound(c.tolerance) + ", " + short_upper_bound(c.tolerance / diagonal) + " of the diagonal",
         "the smallest EPS that is proven: all that is nearer than D - EPS is in the region, and nothing farther than D + EPS");
       line("at",
            place(c) + ", distance from " + full_number(c.distance_bounds.first) + " to " +

@@ -56,7 +56,7 @@ Coordinates face_normal(const Curve& curve, std::size_t piece)
     n[i] = (p[1][j] - p[0][j]) * (p[2][k] - p[0][k]) - (p[1][k] - p[0][k]) * (p[2][j] - p[0][j]);
   }
   const double length = std::hypot(n[0], n[1], n[2]);
-  for (double& x : n) x = length > 0 ? x / length : 0;
+  for (double& x : n) x = length > 0 ? x / length + 0. : 0; // no -0
   return n;
 }
 

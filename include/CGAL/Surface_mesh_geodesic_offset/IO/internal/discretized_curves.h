@@ -76,10 +76,11 @@ inline std::string exact_number(double x)
 
 typedef std::array<double, 3> Coordinates;
 
+// The sum with 0 makes -0 positive.
 template <class Point_3>
 Coordinates coordinates(const Point_3& p)
 {
-  return {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
+  return {CGAL::to_double(p.x()) + 0., CGAL::to_double(p.y()) + 0., CGAL::to_double(p.z()) + 0.};
 }
 
 inline Bbox_3 bbox(const Coordinates& p) { return Bbox_3(p[0], p[1], p[2], p[0], p[1], p[2]); }
