@@ -355,7 +355,7 @@ private:
       arguments.insert(arguments.end(), options.begin(), options.end());
       expect_error(usage, what, arguments, words);
     };
-    expect_limit("too many distances", {"--spacing", "1e-5"}, {"--spacing 1e-05", "1.758", "--count"});
+    expect_limit("too many distances", {"--spacing", "1e-5"}, {"--spacing 1e-05", "1758342 offsets", "--count"});
     expect_limit("too many distances by a count", {"--spacing", "1e-5", "--count", "1000000000000"},
                  {"--count 1000000000000", "1000000"});
     for (const char* count : {"5", "1"})
