@@ -29,8 +29,8 @@ sets it up once.
 \param tm the mesh
 \param sources the sources:
        a vertex; a location in a face; a point in space, which is located on the mesh; a `Geodesic_polyline`; a range of points in
-       space, the vertices of one polyline, which is closed if its last point is the first one; an edge; a range of edges, which
-       are one source; a `Geodesic_source_set`; or a range of these, such as a range of vertices, each of which is a source of its
+       space, the vertices of one polyline, which is closed if its last point is the first one, see `polyline_closing()`; an
+       edge; a range of edges, which are one source; a `Geodesic_source_set`; or a range of these, such as a range of vertices, each of which is a source of its
        own. Types that convert to a vertex descriptor, as the smart vertex handles of OpenMesh do, stand for it. Locations may
        have the coordinates of another kernel. Sources have the ids 0, 1, 2, ... in their order; those of a source set keep the
        ids that they have in the set.
