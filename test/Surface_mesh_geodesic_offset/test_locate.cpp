@@ -423,7 +423,8 @@ class Locators
   typedef CGAL::Geodesic_offset::internal::Surface_locator<Kernel, double> Locator;
 
 public:
-  explicit Locators(const TriangleMesh& mesh) : mesh_(mesh), tree_(Access::data(mesh_).unfolded(), Access::data(mesh_).surface())
+  explicit Locators(const TriangleMesh& mesh)
+    : mesh_(mesh), tree_(Access::data(mesh_).unfolded(), Access::data(mesh_).surface())
   {
     tree_.expect(1000000);
   }
@@ -432,7 +433,8 @@ public:
   template <class Query>
   auto operator()(const Query& q, double tolerance)
   {
-    if (number_of_searches_++ % 50 == 0) search_ = std::make_unique<Locator>(Access::data(mesh_).unfolded(), Access::data(mesh_).surface());
+    if (number_of_searches_++ % 50 == 0)
+      search_ = std::make_unique<Locator>(Access::data(mesh_).unfolded(), Access::data(mesh_).surface());
     const auto result = tree_.locate(q, tolerance);
     CHECK(search_->locate(q, tolerance) == result);
     return on_mesh(result);

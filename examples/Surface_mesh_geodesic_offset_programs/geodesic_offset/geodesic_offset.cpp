@@ -172,8 +172,9 @@ Solution solve(const Mesh_input& input, const Sources& sources, const Levels& le
   if(!levels.empty())
     progress.line("offsets: " + counted(offsets.number_of_curves(), "curve") + " at " +
                   counted(offsets.levels.size(), "distance"));
-  for(const std::string& reason : missing_offsets(options, levels, offsets.levels, sources.smallest_start_value(),
-                                                  figures.largest_distance, geodesic.is_cancelled(), figures.unreached_parts != 0))
+  for(const std::string& reason :
+      missing_offsets(options, levels, offsets.levels, sources.smallest_start_value(), figures.largest_distance,
+                      geodesic.is_cancelled(), figures.unreached_parts != 0))
     progress.warning(reason);
   return {std::move(offsets), geodesic.statistics(), std::move(field)};
 }

@@ -150,7 +150,6 @@ public:
   }
 };
 
-
 } // namespace internal
 
 // Limit of computed distances: unless the whole surface is needed, the largest offset distance.

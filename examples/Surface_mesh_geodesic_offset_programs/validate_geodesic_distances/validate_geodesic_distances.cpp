@@ -95,8 +95,7 @@ int validate(const Validation_options& options)
   for(const std::string& remark : input.remarks()) std::cout << "mesh: " << remark << '\n';
   if(const std::size_t unused = number_of_unused_vertices(input))
     std::cout << "mesh: " << counted(unused, "vertex", "vertices") << " without faces, infinitely far away\n";
-  if(input.has_coinciding_border_edges())
-    std::cout << "mesh: some border edges are at the same place; they are not joined\n";
+  if(input.has_coinciding_border_edges()) std::cout << "mesh: some border edges are at the same place; they are not joined\n";
   for(const std::string& remark : sources.remarks()) std::cout << "sources: " << remark << '\n';
   for(const std::string& warning : sources.warnings()) print_warning("validate_geodesic_distances", warning);
   if(const std::string moved = sources.moved_points().remark(); !moved.empty()) std::cout << "sources: " << moved << '\n';

@@ -145,8 +145,9 @@ void cut_offset_curves(const Geodesic_mesh_data<Surface>& mesh, const Build& bui
   if (build.kept || levels.size() == 0)
   {
     Curve_output<Surface, Function> output(mesh.shared_surface, build, levels, f);
-    cut_all_faces<Concurrency_tag>(mesh.unfolded(), build, {levels, selection},
-                                   [&](std::size_t level, auto&& cut) { output.add(level, std::move(cut)); });
+    cut_all_faces<Concurrency_tag>(mesh.unfolded(), build, {levels, selection}, [&](std::size_t level, auto&& cut) {
+      output.add(level, std::move(cut));
+    });
     output.finish();
     return;
   }

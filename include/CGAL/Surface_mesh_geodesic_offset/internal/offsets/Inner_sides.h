@@ -119,9 +119,9 @@ private:
   std::vector<Index> m_cell;         // by node: its root
   std::vector<Link> m_links;
   std::vector<std::vector<Index>> m_links_of; // by cell
-  std::vector<double> m_area, m_border;           // by cell
-  std::vector<int> m_winding;                     // by cell, of the last polyline
-  std::vector<Index> m_cells;                     // of the part of the last polyline
+  std::vector<double> m_area, m_border;       // by cell
+  std::vector<int> m_winding;                 // by cell, of the last polyline
+  std::vector<Index> m_cells;                 // of the part of the last polyline
 };
 
 } // namespace internal
