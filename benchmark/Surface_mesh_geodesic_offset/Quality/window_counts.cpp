@@ -15,6 +15,8 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_geodesic_offset.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Lower_envelope.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window_pruning.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/boost/graph/helpers.h>
 
@@ -63,11 +65,13 @@ std::size_t size_of_envelope(const Mesh& mesh, std::size_t source)
   sources.insert(0, {sources.POINT, {internal::Surface_point<double>::at_vertex(surface.index_of(v))}, {}});
   internal::Build_request<double> request;
   request.keeps_windows = true;
-  internal::Geodesic_build<Traits> build(unfolded, sources, request);
-  const Traits traits{};
-  build.propagate(traits);
+  typedef Surface::Computing_traits Computing_traits;
+  typedef internal::Geodesic_build<Computing_traits> Build;
+  Build build(unfolded, sources, request);
+  const Computing_traits traits{};
+  build.propagate<CGAL::Sequential_tag, Build::parts_for(internal::KEPT_WINDOWS)>(traits);
 
-  internal::Lower_envelope<Traits> envelope(build.initial.source_of, traits);
+  internal::Lower_envelope<Computing_traits> envelope(build.initial.source_of, traits);
   std::vector<Window> windows;
   std::size_t number = 0;
   for (internal::Index h = 0; h < unfolded.number_of_halfedges(); ++h)
