@@ -11,6 +11,7 @@
 #include "test_registry.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Exact_predicates_exact_constructions_kernel_with_sqrt.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh_geodesic_offset/remove_degenerate_faces_in_polygon_soup.h>
 
