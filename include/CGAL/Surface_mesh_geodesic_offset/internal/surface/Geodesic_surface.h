@@ -143,7 +143,8 @@ struct Geodesic_surface : Surface_points<Space_kernel<typename Traits_::Kernel>>
   // \throws std::invalid_argument if the location is not valid
   Located_point<Number> classified(const Face_location& l) const
   {
-    return classify<Number>(unfolded, checked_index_of(l.first), index_in_mesh(l.first), imported(l.second));
+    const Index face = checked_index_of(l.first); // first: a null face has no index
+    return classify<Number>(unfolded, face, index_in_mesh(l.first), imported(l.second));
   }
 
   // Index of the halfedge, or of its opposite if it is a border halfedge.

@@ -18,10 +18,12 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// Calls out(p) for the start p of a path, and out(crossing) or out(surface point) for the elements that it meets.
+// Calls out(p) for the start p of a path, and out(crossing) or out(surface point) for the elements that it meets; nothing if p is
+// not reached.
 template <class Build, class FT, class Function>
 void visit_path(const Build& build, const Located_point<FT>& p, const Path_start<FT>& start, const Function& out)
 {
+  if (!start.is_reached()) return;
   std::vector<Path_element<FT>> path;
   build.trace_path(p, start, path);
   out(p);
