@@ -275,7 +275,26 @@ private:
     CHECK(contains(stats(), "\"covered_distance\": null"));
 
     write_file(scratch_ / "parts.off", "OFF\n7 2 0\n0 0 0\n1 0 0\n0 1 0\n9 9 9\n5 0 0\n6 0 0\n5 1 0\n3 0 1 2\n3 4 5 6\n");
-    check_line(expect_good("parts", {path("parts.off"), "--source-vertex", "0"}).output, {"4 vertices not reached"});
+    const Words unreached = {"1 of 2 parts of the surface has no source", "its 3 vertices are not reached"};
+    const Program_result parts = expect_warning("parts", with_stats({path("parts.off"), "--source-vertex", "0"}), unreached);
+    check_line(parts.output, {"mesh: 2 parts, 2 border cycles, bounding box from 0,0,0 to 6,1,0"});
+    CHECK(json_number(stats(), "parts") == 2 && json_number(stats(), "border_cycles") == 2);
+    CHECK(json_number(stats(), "unreached_parts") == 1 && json_number(stats(), "unreached_vertices") == 3);
+    CHECK(contains(stats(), "\"bounding_box\": [[0, 0, 0], [6, 1, 0]]"));
+    expect_warning("sources on both parts",
+                   {path("parts.off"), "--source-vertex", "0", "--source-point", "5.2,0.1,0", "--distance", "5"},
+                   {"no offset at distance 5", "no point of the surface is farther"});
+    const Program_result beyond =
+      run("beyond a part", {path("parts.off"), "--source-vertex", "0", "--distance", "5", "--quiet"});
+    check_line(beyond.errors, unreached);
+    check_line(beyond.errors,
+               {"no offset at distance 5: on the parts of the surface with sources, no point is farther from them than 1"});
+    const Program_result path_there =
+      run("a path on another part", {path("parts.off"), "--source-vertex", "0", "--path-from", "5.2,0.1,0", "--path-output",
+                                     path("paths.vtk"), "--quiet"});
+    check_line(path_there.errors, {"no path for --path-from 5.2,0.1,0: it is on another part of the surface than the sources"});
+    std::filesystem::remove(scratch_ / "paths.vtk");
+    std::filesystem::remove(scratch_ / "stats.json");
     check_line(expect_good("maximum distance", on_plate({"--source-vertex", "0", "--maximum-distance", "30"})).output,
                {"distances: computed up to 30"});
   }

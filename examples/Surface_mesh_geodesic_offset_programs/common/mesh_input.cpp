@@ -161,7 +161,7 @@ bool Mesh_input::stitch(std::vector<std::array<std::uint32_t, 2>> border_edges, 
 bool Mesh_input::remove_degenerate_faces(const std::string& path, Faces& faces)
 {
   const CGAL::Polygon_soup_repair repair = CGAL::remove_degenerate_faces_in_polygon_soup(faces.points, faces.polygons);
-  if(repair.polygon_indices.empty()) return false;
+  if(repair.point_indices.empty()) return false;
   if(faces.polygons.empty()) throw Input_error(quoted(path) + ": no face has an area");
 
   if(faces.merged.empty())

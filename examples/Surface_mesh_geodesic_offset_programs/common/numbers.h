@@ -42,14 +42,12 @@ inline bool parse_number(std::string_view word, double& value)
   return true;
 }
 
-// Whether a word is a number that is not finite, as programs write it: "nan", "-inf", "1e999", "-1.#IND".
+// Whether a word is a number that is not finite, as "nan", "-inf", or "1e999".
 inline bool is_not_finite(std::string_view word)
 {
   const std::string text(word);
   char* end = nullptr;
-  const double value = std::strtod(text.c_str(), &end);
-  if(end == text.c_str()) return false;
-  return *end == '\0' ? !std::isfinite(value) && end == text.c_str() + text.size() : end[0] == '#' && end[-1] == '.';
+  return !std::isfinite(std::strtod(text.c_str(), &end)) && end == text.c_str() + text.size();
 }
 
 inline bool parse_index(std::string_view word, std::size_t& value)

@@ -43,7 +43,8 @@ struct Polygon_soup_repair
   /// for each point, the index of the point that stands for it: its own, or that of the point into which it was merged. Empty if
   /// the soup is unchanged
   std::vector<std::size_t> point_indices;
-  /// for each polygon of the result, the index of the polygon of which it is a part, before the call. Empty if the soup is unchanged
+  /// for each polygon of the result, the index of the polygon of which it is a part, before the call. Empty if the soup is
+  /// unchanged, as `point_indices`
   std::vector<std::size_t> polygon_indices;
 };
 
@@ -53,10 +54,10 @@ struct Polygon_soup_repair
 \brief removes the faces without area from a polygon soup, which `Surface_mesh_geodesic_offset` and `Geodesic_mesh` refuse, so that
 the rest keeps its points and its connection.
 
-A triangle is degenerate if its area is zero in the number type of the traits, or if its middle corner is above its longest side
-by at most 64 units in the last place of the shorter of the two other sides. Clusters of degenerate faces are removed, whatever
+A triangle is degenerate if its area is zero in the number type of the traits, or if the height of its middle corner above its longest
+side is at most rounding: 64 units in the last place of its shortest side, or 16 units of the coordinates there. Clusters of degenerate faces are removed, whatever
 their shape:
-- The ends of a side of length zero become one point. A triangle with such a side vanishes, and its two neighbours at the other
+- The ends of a side that is not longer than 16 units in the last place of their coordinates become one point. A triangle with such a side vanishes, and its two neighbours at the other
   sides become neighbours of each other.
 - A flat triangle between three different points is replaced by a corner in the polygons beyond its longest side; a triangle there
   is divided into two. If this side is on the border, the flat triangle is dropped.

@@ -33,8 +33,9 @@ namespace internal {
 A triangle is degenerate if Unfolded_mesh rejects it (it has no area), or if its height, that of its middle corner above its longest
 side, is only rounding:
 - at most 64 units in the last place of its shortest side: no ray from the middle corner through the longest side has a width, or
-- at most 16 units in the last place of its largest coordinate: a point that is computed between two others is beside their line by up
-  to five of these units (three roundings of three coordinates), so the three corners may have been meant to be on one line.
+- at most 16 units in the last place of the coordinates there, the larger of those of the middle corner and of the longest side beside
+  it: a point that is computed between two others is beside their line by up to five of these units (three roundings of three
+  coordinates), so the three corners may have been meant to be on one line.
 
 Two steps remove such triangles; displacements are rounding, too:
 
@@ -172,23 +173,27 @@ private:
     }
     shape.length = apices[shape.longest].length;
     const FT shortest = apices[shape.shortest].length, height = apices[shape.longest].y;
-    shape.is_good = shape.has_area && height > largest_height(points, shortest);
+    shape.is_good = shape.has_area && height > largest_height(points, apices, shape.longest, shortest);
     shape.is_cap = has_normal_square(FT(shape.length * shortest)) && !(height > shortest / FT(8));
     return shape;
   }
 
-  // The largest height of a degenerate triangle.
-  static FT largest_height(const Points& points, const FT& shortest)
+  // The largest height of a degenerate triangle with area.
+  template <class Apices>
+  static FT largest_height(const Points& points, const Apices& apices, std::size_t longest, const FT& shortest)
   {
     if constexpr (!Number_policy<FT>::is_inexact) return FT(0);
     else
     {
-      const FT size = (std::max)({size_of(points[0]), size_of(points[1]), size_of(points[2])});
+      const std::size_t end = (longest + 1) % 3, middle = (longest + 2) % 3;
+      const FT before = apices[middle].length, after = apices[end].length; // parts of the longest side
+      const FT beside = (after * size_of(points[longest]) + before * size_of(points[end])) / (before + after);
+      const FT size = (std::max)(size_of(points[middle]), beside);
       return (std::max)(FT(Number_policy<FT>::rounding(64) * shortest), FT(coordinate_rounding() * size));
     }
   }
 
-  // Relative to the largest coordinate.
+  // Relative to the size of a point, its largest coordinate.
   static FT coordinate_rounding() { return Number_policy<FT>::rounding(16); }
 
   static FT size_of(const Point_3& p) { return (std::max)({FT(CGAL::abs(p.x())), FT(CGAL::abs(p.y())), FT(CGAL::abs(p.z()))}); }
