@@ -104,7 +104,7 @@ private:
     expect(usage, "unknown flag", {good_, "--source-vertex", "0", "--distance", "1", "--sources"});
     expect(usage, "abbreviated option", {good_, "--source-vert", "0", "--distance", "1"});
     expect(usage, "option without its value", {good_, "--source-vertex", "0", "--distance", "1", "--spacing"}, false);
-    for (const char* distance : {"0", "-1", "+-1", "++1", "nan", "NaN", "inf", "abc", "", "1x", "1,2", "-0", "1e999"})
+    for (const char* distance : {"0", "-1", "+-1", "++1", "nan", "NaN", "inf", "abc", "", "1x", "1,", "1,x", "-0", "1e999"})
       for (const char* option : {"--distance", "--spacing", "--maximum-distance", "--tolerance"})
       {
         Arguments arguments = {good_, "--source-vertex", "0", std::string(option) + "=" + distance};

@@ -127,6 +127,7 @@ void split_along_geodesic_voronoi_diagram(TriangleMesh& tm, const VoronoiDiagram
   }
 }
 
+#ifndef DOXYGEN_RUNNING
 // Chosen for meshes that are const or temporary.
 template <class TriangleMesh, class VoronoiDiagram, class NamedParameters = parameters::Default_named_parameters>
 void split_along_geodesic_voronoi_diagram(const TriangleMesh&, const VoronoiDiagram&,
@@ -136,6 +137,7 @@ void split_along_geodesic_voronoi_diagram(const TriangleMesh&, const VoronoiDiag
     !std::is_same<TriangleMesh, TriangleMesh>::value,
     "split_along_geodesic_voronoi_diagram() splits the mesh in place, which must not be const or temporary: split a copy");
 }
+#endif
 
 } // namespace CGAL
 

@@ -175,6 +175,7 @@ void split_along_offset_curves(TriangleMesh& tm, const OffsetCurves& curves,
   }
 }
 
+#ifndef DOXYGEN_RUNNING
 // Chosen for meshes that are const or temporary.
 template <class TriangleMesh, class OffsetCurves, class NamedParameters = parameters::Default_named_parameters>
 void split_along_offset_curves(const TriangleMesh&, const OffsetCurves&, const NamedParameters& = parameters::default_values())
@@ -182,6 +183,7 @@ void split_along_offset_curves(const TriangleMesh&, const OffsetCurves&, const N
   static_assert(!std::is_same<TriangleMesh, TriangleMesh>::value,
                 "split_along_offset_curves() splits the mesh in place, which must not be const or temporary: split a copy");
 }
+#endif
 
 } // namespace CGAL
 
