@@ -85,7 +85,8 @@ def test_bands(bench):
     lines[2 + 169:2 + 169] = ["20 0 0", "21 0 0", "20 1 0"]
     with open(bench.path("parts.off"), "w") as file:
         file.write("\n".join(lines).rstrip("\n") + "\n3 169 170 171\n")
-    bench.run(bench.path("parts.off"), *bench.center(HORIZONTAL), "--spacing", 1.5, "--split", split)
+    bench.run(bench.path("parts.off"), *bench.center(HORIZONTAL), "--spacing", 1.5, "--split", split,
+              warning="1 of 2 parts of the surface has no source: its 3 vertices are not reached")
     points, faces, _ = read_split(split)
     apart = [f for f in faces if f["corners"][0][0] > 15]
     last = max(f["band"] for f in faces)

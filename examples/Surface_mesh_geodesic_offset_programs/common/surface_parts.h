@@ -24,7 +24,7 @@ class Surface_parts
 public:
   Surface_parts() = default;
 
-  // Precondition: the mesh has no garbage, and no vertices without faces.
+  // Vertices without faces, as those that only copies in other fans replace, are no parts. Precondition: the mesh has no garbage.
   explicit Surface_parts(const Mesh& mesh) : m_first(mesh.vertices().begin(), mesh.vertices().end())
   {
     for(Edge e : mesh.edges())
@@ -35,7 +35,7 @@ public:
     for(Vertex v : mesh.vertices())
     {
       m_first[v] = root(v);
-      m_number += m_first[v] == v ? 1 : 0;
+      m_number += m_first[v] == v && !mesh.is_isolated(v) ? 1 : 0;
     }
     std::vector<bool> is_seen(mesh.number_of_halfedges(), false);
     for(Halfedge first : mesh.halfedges())

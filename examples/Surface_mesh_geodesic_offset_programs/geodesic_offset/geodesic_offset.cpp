@@ -102,7 +102,9 @@ std::pair<std::size_t, std::size_t> unreached(const Mesh_input& input, const Sou
   const Surface_parts& parts = input.parts();
   if(parts.number() == 1) return {0, 0};
   std::vector<bool> has_source(input.mesh().number_of_vertices(), false); // the first vertex of a part
-  sources.for_each_start([&](Vertex v, double) { has_source[parts.first_vertex(v)] = true; });
+  sources.for_each_start([&](Vertex v, double) {
+    if(!input.mesh().is_isolated(v)) has_source[parts.first_vertex(v)] = true;
+  });
   std::size_t vertices = 0;
   for(std::size_t i = 0; i < input.soup().points.size(); ++i)
   {
