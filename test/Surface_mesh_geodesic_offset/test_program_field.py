@@ -222,7 +222,8 @@ def test_sources(bench):
             out.writelines("3 %d %d %d\n" % tuple(int(i) + shift for i in face.split()[1:]) for face in faces)
     for near, low in (("6,1,3", 0), ("25,9,3", 20), (None, None)):
         bench.run(bench.path("two.off"), "--source-plane", "0,1,0,-5.1", *(("--section-near", near) if near else ()),
-                  "--field", files[0])
+                  "--field", files[0],
+                  warning="1 of 2 parts of the surface has no source: its 169 vertices are not reached" if near else None)
         data = read(files[0])
         distance = data.GetPointData().GetArray("distance")
         for i in range(338):
