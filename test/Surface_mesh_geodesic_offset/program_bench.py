@@ -58,13 +58,14 @@ TILTED = Plane((0.5, -2, 1), (2 / 3, 2 / 3, 1 / 3), (-2 / 3, 1 / 3, 2 / 3))
 
 
 def write_grid(path, embed, n=12, is_turned=False, is_two_sided=False):
-    """n x n squares of side 1 with moved vertices, in the plane. With two sides, the second has the opposite orientation."""
+    """n x n squares of side 1 with moved vertices, in the plane. With two sides, the second has the opposite
+    orientation and the other diagonals, so that no corner has the same face on both."""
     generator = random.Random(7)
 
     def moved(i, inside):
         return i + (generator.uniform(-0.24, 0.24) if inside else 0)
 
-    points, faces = [], []
+    points, faces, faces_below = [], [], []
     for j in range(n + 1):
         for i in range(n + 1):
             points.append(embed((moved(i, 0 < i < n), moved(j, 0 < j < n))))
@@ -72,9 +73,11 @@ def write_grid(path, embed, n=12, is_turned=False, is_two_sided=False):
         for i in range(n):
             a = j * (n + 1) + i
             b, c, d = a + 1, a + n + 2, a + n + 1
-            faces += [(a, b, c), (a, c, d)] if (i + j) % 2 else [(a, b, d), (b, c, d)]
+            diagonals = [[(a, b, c), (a, c, d)], [(a, b, d), (b, c, d)]]
+            faces += diagonals[1 - (i + j) % 2]
+            faces_below += diagonals[(i + j) % 2]
     if is_turned:
-        faces = [f[::-1] for f in faces]
+        faces, faces_below = [f[::-1] for f in faces], [f[::-1] for f in faces_below]
     if is_two_sided:
         below = {}
         for v, p in enumerate(points[:]):
@@ -82,7 +85,7 @@ def write_grid(path, embed, n=12, is_turned=False, is_two_sided=False):
             below[v] = len(points) if is_inside else v
             if is_inside:
                 points.append(p)
-        faces += [tuple(below[v] for v in f[::-1]) for f in faces]
+        faces += [tuple(below[v] for v in f[::-1]) for f in faces_below]
     with open(path, "w") as out:
         out.write("OFF\n%d %d 0\n" % (len(points), len(faces)))
         for p in points:

@@ -234,7 +234,8 @@ def test_sources(bench):
                 check(distance.GetTuple1(i) == math.inf, "the other part is not reached")
 
     # one of the two borders
-    bench.run(bench.path("two.off"), "--source-boundary", "--boundary-near", "21,13,5", "--field", files[0])
+    bench.run(bench.path("two.off"), "--source-boundary", "--boundary-near", "21,13,5", "--field", files[0],
+              warning="1 of 2 parts of the surface has no source: its 169 vertices are not reached")
     data = read(files[0])
     for i in range(338):
         x, y, _ = data.GetPoint(i)
