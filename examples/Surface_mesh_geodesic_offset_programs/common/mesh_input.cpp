@@ -193,6 +193,7 @@ bool Mesh_input::remove_degenerate_faces(const std::string& path, Faces& faces)
     changes.push_back(counted(removed, "face") + " without area removed (the first is face " +
                       std::to_string(faces.positions[static_cast<std::size_t>(first - is_removed.begin())]) + ")");
   if(repair.merged_points != 0) changes.push_back(counted(repair.merged_points, "vertex", "vertices") + " merged");
+  if(repair.shortened_faces != 0) changes.push_back(counted(repair.shortened_faces, "face") + " without spikes");
   if(repair.flipped_faces != 0)
     changes.push_back(counted(repair.flipped_faces, "vertex", "vertices") + " inserted into edges of neighbours");
   if(repair.dropped_faces != 0) changes.push_back(counted(repair.dropped_faces, "face") + " at the border dropped");

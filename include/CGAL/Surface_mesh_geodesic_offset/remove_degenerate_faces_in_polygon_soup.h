@@ -36,6 +36,8 @@ struct Polygon_soup_repair
   std::size_t merged_points = 0;
   /// number of polygons that were removed because less than three of their corners are different points
   std::size_t collapsed_faces = 0;
+  /// number of polygons that lost spikes, or were divided at a corner that they had twice
+  std::size_t shortened_faces = 0;
   /// number of flat triangles that were removed by dividing the polygons at their longest side
   std::size_t flipped_faces = 0;
   /// number of flat triangles that were removed alone, as their longest side is on the border
@@ -124,6 +126,7 @@ Polygon_soup_repair remove_degenerate_faces_in_polygon_soup(const PointRange& po
   removal.run();
   repair.merged_points = removal.number_of_merged_points();
   repair.collapsed_faces = removal.number_of_collapsed_faces();
+  repair.shortened_faces = removal.number_of_shortened_faces();
   repair.flipped_faces = removal.number_of_flipped_faces();
   repair.dropped_faces = removal.number_of_dropped_faces();
   repair.point_indices = removal.merged_points();

@@ -98,7 +98,13 @@ public:
     m_is_alive.assign(m_polygons.size(), 1);
     m_is_degenerate.assign(m_polygons.size(), 0);
     contract_sides_without_length();
-    for (std::size_t f = 0, n = m_polygons.size(); f < n; ++f) replace(f, parts_of(corners_of(f)));
+    for (std::size_t f = 0, n = m_polygons.size(); f < n; ++f)
+    {
+      const Corners corners = corners_of(f);
+      const std::vector<Corners> parts = parts_of(corners);
+      if (parts.size() > 1 || (parts.size() == 1 && parts.front().size() != corners.size())) ++m_shortened_faces;
+      replace(f, parts);
+    }
     queue_degenerate_triangles();
     if (!m_queue.empty()) remove_degenerate_triangles();
     compress();
@@ -117,6 +123,7 @@ public:
 
   std::size_t number_of_merged_points() const { return m_merged_points; }
   std::size_t number_of_collapsed_faces() const { return m_collapsed_faces; }
+  std::size_t number_of_shortened_faces() const { return m_shortened_faces; }
   std::size_t number_of_flipped_faces() const { return m_flipped_faces; }
   std::size_t number_of_dropped_faces() const { return m_dropped_faces; }
 
@@ -532,7 +539,7 @@ private:
   std::vector<std::size_t> m_first_face_at, m_face_at;
   std::unordered_map<Index, std::vector<std::size_t>> m_more_faces_at;
 
-  std::size_t m_merged_points = 0, m_collapsed_faces = 0, m_flipped_faces = 0, m_dropped_faces = 0;
+  std::size_t m_merged_points = 0, m_collapsed_faces = 0, m_shortened_faces = 0, m_flipped_faces = 0, m_dropped_faces = 0;
 };
 
 } // namespace internal
