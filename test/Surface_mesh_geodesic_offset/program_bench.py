@@ -57,6 +57,15 @@ HORIZONTAL = Plane((0, 0, 0.3))
 TILTED = Plane((0.5, -2, 1), (2 / 3, 2 / 3, 1 / 3), (-2 / 3, 1 / 3, 2 / 3))
 
 
+def write_off(path, points, faces):
+    with open(path, "w") as out:
+        out.write("OFF\n%d %d 0\n" % (len(points), len(faces)))
+        for p in points:
+            out.write("%.17g %.17g %.17g\n" % tuple(p))
+        for f in faces:
+            out.write("3 %d %d %d\n" % f)
+
+
 def write_grid(path, embed, n=12, is_turned=False, is_two_sided=False):
     """n x n squares of side 1 with moved vertices, in the plane. With two sides, the second has the opposite
     orientation and the other diagonals, so that no corner has the same face on both."""
@@ -86,12 +95,7 @@ def write_grid(path, embed, n=12, is_turned=False, is_two_sided=False):
             if is_inside:
                 points.append(p)
         faces += [tuple(below[v] for v in f[::-1]) for f in faces_below]
-    with open(path, "w") as out:
-        out.write("OFF\n%d %d 0\n" % (len(points), len(faces)))
-        for p in points:
-            out.write("%.17g %.17g %.17g\n" % tuple(p))
-        for f in faces:
-            out.write("3 %d %d %d\n" % f)
+    write_off(path, points, faces)
 
 
 def polyline_text(points):

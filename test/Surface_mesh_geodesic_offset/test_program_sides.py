@@ -5,7 +5,7 @@
 import math
 import subprocess
 
-from program_bench import HORIZONTAL, chain_length, check, check_close, polyline_text, run_test
+from program_bench import HORIZONTAL, chain_length, check, check_close, polyline_text, run_test, write_off
 
 
 def rectangle(a, b, c, d, z=0.3):
@@ -109,15 +109,6 @@ def write_shell(path, thickness, n=5):
     for a, b in zip(rim, rim[1:] + rim[:1]):
         faces += [(a, b, b + layer), (a, b + layer, a + layer)]
     write_off(path, points, faces)
-
-
-def write_off(path, points, faces):
-    with open(path, "w") as out:
-        out.write("OFF\n%d %d 0\n" % (len(points), len(faces)))
-        for p in points:
-            out.write("%.17g %.17g %.17g\n" % tuple(p))
-        for f in faces:
-            out.write("3 %d %d %d\n" % f)
 
 
 def read_curves(path):
