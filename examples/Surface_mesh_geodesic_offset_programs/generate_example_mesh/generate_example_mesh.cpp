@@ -7,53 +7,47 @@
 //   generate_example_mesh MESH.off [CURVE.polylines.txt]
 //
 // CURVE is a closed wave around the belly of the vase.
-
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Polygon_mesh_processing/clip.h>
-#include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
-#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
-#include <CGAL/Polygon_mesh_processing/remesh.h>
-#include <CGAL/Surface_mesh.h>
+//
+// Does without CGAL, whose functions for clipping and remeshing take a compiler two minutes.
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <exception>
 #include <fstream>
 #include <iostream>
+#include <map>
+#include <stdexcept>
+#include <string>
 #include <unordered_map>
 #include <utility>
 #include <vector>
 
 namespace {
 
-namespace PMP = CGAL::Polygon_mesh_processing;
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Point = Kernel::Point_3;
-using Vector = Kernel::Vector_3;
-using Mesh = CGAL::Surface_mesh<Point>;
-
 constexpr double pi = 3.14159265358979323846;
 constexpr double foot = 0.0;
 constexpr double rim = 2.42;
-constexpr double cell = 0.025; // of the grid
-constexpr double edge_length = 0.0288;
+
+struct Vector
+{
+  double x, y, z;
+};
+Vector operator+(const Vector& a, const Vector& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+Vector operator-(const Vector& a, const Vector& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+Vector operator*(double s, const Vector& a) { return {s * a.x, s * a.y, s * a.z}; }
+double operator*(const Vector& a, const Vector& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+double twice_area(const Vector& a, const Vector& b)
+{
+  return std::hypot(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
+}
 
 double bump(double x, double center, double width) { return std::exp(-(x - center) * (x - center) / (width * width)); }
 
 double outer_radius(double y)
 {
   return 0.30 + 0.62 * bump(y, 0.92, 0.60) + 0.24 * bump(y, 2.58, 0.32) + 0.20 * bump(y, -0.12, 0.26);
-}
-double inner_radius(double y) { return outer_radius(y) - 0.085; }
-
-// Divides by the length of the gradient, so that values approximate distances.
-double revolved(const Point& p, double (*radius)(double))
-{
-  const double h = 1e-4, slope = (radius(p.y() + h) - radius(p.y() - h)) / (2 * h);
-  return (std::hypot(p.x(), p.z()) - radius(p.y())) / std::sqrt(1 + slope * slope);
 }
 
 double smooth_minimum(double a, double b, double width)
@@ -62,178 +56,192 @@ double smooth_minimum(double a, double b, double width)
   return std::min(a, b) - 0.25 * width * t * t;
 }
 
-double handle(const Point& p)
+double handle(const Vector& p)
 {
   // a ring that leans outwards, in the plane z = 0
-  const double x = std::abs(p.x()) - 0.60, y = p.y() - 1.66;
+  const double x = std::abs(p.x) - 0.60, y = p.y - 1.66;
   const double u = 0.94 * x + 0.34 * y, v = 0.94 * y - 0.34 * x;
   const double ring = std::hypot(u / 1.02, v / 1.12) - 0.44;
-  return std::hypot(ring, p.z() / 1.15) - 0.085;
+  return std::hypot(ring, p.z / 1.15) - 0.085;
 }
 
-// Negative inside the clay. The vase extends slightly beyond foot and rim, where it is cut off later.
-double vase(const Point& p)
+// Negative inside the clay. The vase extends beyond foot and rim, where it is cut off.
+double clay(const Vector& p)
 {
-  const double outside = smooth_minimum(revolved(p, outer_radius), handle(p), 0.17);
-  // negative in the cavity: inside its wall and above its floor, with a rounded transition
-  const double cavity = -smooth_minimum(-revolved(p, inner_radius), p.y() - 1.45, 0.25);
-  const double solid = std::max(outside, -cavity);
-  return std::max(solid, std::max(foot - 0.06 - p.y(), p.y() - rim - 0.06));
+  const double h = 1e-4, slope = (outer_radius(p.y + h) - outer_radius(p.y - h)) / (2 * h);
+  const double scale = 1 / std::sqrt(1 + slope * slope); // so that values approximate distances
+  const double outer = scale * (std::hypot(p.x, p.z) - outer_radius(p.y)), inner = outer + scale * 0.085;
+  // positive in the cavity: inside its wall and above its floor, with a rounded transition
+  const double cavity = smooth_minimum(-inner, p.y - 1.45, 0.25);
+  return std::max(smooth_minimum(outer, handle(p), 0.17), cavity);
 }
 
-// Intersections with the planes of the cuts are rounded.
-bool is_on_cut(const Point& p) { return std::abs(p.y() - foot) < 1e-7 || std::abs(p.y() - rim) < 1e-7; }
-
-Vector gradient(const Point& p)
+// The mesh. The halfedges of face f are 3 f, 3 f + 1 and 3 f + 2, in their order around the face.
+class Vase
 {
-  const double h = 1e-5;
-  const auto difference = [&](const Vector& d) { return (vase(p + h * d) - vase(p - h * d)) / (2 * h); };
-  return Vector(difference(Vector(1, 0, 0)), difference(Vector(0, 1, 0)), difference(Vector(0, 0, 1)));
-}
+  enum class Part { wall, cut, sharp_edge };
 
-// Marching tetrahedra: six per cell, all along the same diagonal, so that neighbouring cells fit.
-class Marching_tetrahedra
-{
-  static constexpr int nx = 112, ny = 106, nz = 84;
+  static constexpr std::size_t nx = 78, ny = 80, nz = 64; // cells of the grid
+  static constexpr double cell = (rim - foot) / (ny - 1); // foot and rim are in the middle of the first and the last layer
+  static constexpr std::array<std::size_t, 3> step{1, nx + 1, (nx + 1) * (ny + 1)}; // from corner to corner, along each axis
 
-  std::vector<double> m_values;
-  std::vector<Point> m_points;
-  std::vector<std::array<std::size_t, 3>> m_triangles;
-  std::unordered_map<std::uint64_t, std::size_t> m_point_of_edge;
-
-  static std::size_t index(int i, int j, int k)
-  {
-    return (static_cast<std::size_t>(k) * (ny + 1) + static_cast<std::size_t>(j)) * (nx + 1) + static_cast<std::size_t>(i);
-  }
-  static Point position(std::size_t n)
-  {
-    const double i = static_cast<double>(n % (nx + 1)), j = static_cast<double>(n / (nx + 1) % (ny + 1)),
-                 k = static_cast<double>(n / (nx + 1) / (ny + 1));
-    return Point((i - 0.5 * nx) * cell, foot - 0.11 + j * cell, (k - 0.5 * nz) * cell);
-  }
-
-  std::size_t crossing(std::size_t a, std::size_t b)
-  {
-    if(a > b) std::swap(a, b);
-    const auto inserted = m_point_of_edge.emplace(static_cast<std::uint64_t>(a) * m_values.size() + b, m_points.size());
-    if(inserted.second)
-    {
-      // bisection; away from the ends, so that no triangle degenerates
-      const Point p = position(a);
-      const Vector d = position(b) - p;
-      double low = 0, high = 1;
-      for(int i = 0; i < 30; ++i)
-      {
-        const double middle = 0.5 * (low + high);
-        ((vase(p + middle * d) < 0) == (m_values[a] < 0) ? low : high) = middle;
-      }
-      m_points.push_back(p + std::min(std::max(low, 0.02), 0.98) * d);
-    }
-    return inserted.first->second;
-  }
-
-  void add_tetrahedron(const std::array<std::size_t, 4>& t)
-  {
-    std::vector<std::size_t> in, out;
-    for(std::size_t v : t) (m_values[v] < 0 ? in : out).push_back(v);
-    if(in.size() == 1)
-      m_triangles.push_back({crossing(in[0], out[0]), crossing(in[0], out[1]), crossing(in[0], out[2])});
-    else if(in.size() == 3)
-      m_triangles.push_back({crossing(out[0], in[0]), crossing(out[0], in[1]), crossing(out[0], in[2])});
-    else if(in.size() == 2)
-    {
-      const std::size_t a = crossing(in[0], out[0]), b = crossing(in[0], out[1]), c = crossing(in[1], out[1]),
-                        d = crossing(in[1], out[0]);
-      m_triangles.push_back({a, b, c});
-      m_triangles.push_back({a, c, d});
-    }
-  }
+  std::vector<bool> m_is_inside; // per corner of the grid
+  std::unordered_map<std::size_t, std::size_t> m_vertex; // of a cell, which has the number of its first corner
+  std::vector<Vector> m_points; // per vertex
+  std::vector<Part> m_parts; // per vertex: the part of the surface that it is on
+  std::vector<std::size_t> m_source, m_opposite; // per halfedge
 
 public:
-  Mesh operator()()
+  Vase()
   {
-    m_values.resize(index(nx, ny, nz) + 1);
-    for(std::size_t n = 0; n < m_values.size(); ++n) m_values[n] = vase(position(n));
-    for(int k = 0; k < nz; ++k)
-      for(int j = 0; j < ny; ++j)
-        for(int i = 0; i < nx; ++i)
-        {
-          // paths from one corner to the opposite one, one axis at a time
-          for(const std::array<int, 3>& order :
-              {std::array<int, 3>{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}})
-          {
-            std::array<int, 3> c{i, j, k};
-            std::array<std::size_t, 4> tetrahedron{index(i, j, k), 0, 0, 0};
-            for(std::size_t s = 0; s < 3; ++s)
-            {
-              ++c[static_cast<std::size_t>(order[s])];
-              tetrahedron[s + 1] = index(c[0], c[1], c[2]);
-            }
-            add_tetrahedron(tetrahedron);
-          }
-        }
-    PMP::orient_polygon_soup(m_points, m_triangles);
-    Mesh mesh;
-    PMP::polygon_soup_to_polygon_mesh(m_points, m_triangles, mesh);
-    if(!PMP::is_outward_oriented(mesh)) PMP::reverse_face_orientations(mesh);
-    return mesh;
+    make_faces();
+    find_opposite_halfedges();
+    for(int i = 0; i < 20; ++i)
+    {
+      flip_edges();
+      relax();
+    }
+    flip_edges();
+  }
+
+  std::size_t number_of_vertices() const { return m_points.size(); }
+  std::size_t number_of_faces() const { return m_source.size() / 3; }
+
+  void write(std::ostream& out) const
+  {
+    out << "OFF\n" << number_of_vertices() << ' ' << number_of_faces() << " 0\n";
+    for(const Vector& p : m_points) out << p.x << ' ' << p.y << ' ' << p.z << '\n';
+    for(std::size_t h = 0; h < m_source.size(); h += 3)
+      out << "3 " << m_source[h] << ' ' << m_source[h + 1] << ' ' << m_source[h + 2] << '\n';
+  }
+
+private:
+  // Surface net: a vertex in each cell that the surface crosses, two faces around each edge of the grid that it crosses.
+  void make_faces()
+  {
+    for(std::size_t n = 0; n < step[2] * (nz + 1); ++n)
+    {
+      const Vector p = position(n, 0);
+      m_is_inside.push_back(p.y > foot && p.y < rim && clay(p) < 0);
+    }
+    for(std::size_t n = 0; n + step[2] < m_is_inside.size(); ++n)
+      for(std::size_t axis = 0; axis < 3; ++axis)
+      {
+        if(m_is_inside[n] == m_is_inside[n + step[axis]]) continue;
+        std::size_t u = step[(axis + 1) % 3], v = step[(axis + 2) % 3];
+        if(m_is_inside[n + step[axis]]) std::swap(u, v);
+        const std::size_t a = vertex(n), b = vertex(n - u), c = vertex(n - u - v), d = vertex(n - v);
+        m_source.insert(m_source.end(), {a, b, c, a, c, d});
+      }
+  }
+
+  static Vector position(std::size_t n, double shift)
+  {
+    const auto coordinate = [&](std::size_t i, double middle) { return (static_cast<double>(i) + shift - middle) * cell; };
+    return {coordinate(n % step[1], 0.5 * nx), foot + coordinate(n % step[2] / step[1], 0.5),
+            coordinate(n / step[2], 0.5 * nz)};
+  }
+
+  std::size_t vertex(std::size_t n)
+  {
+    const auto inserted = m_vertex.emplace(n, m_points.size());
+    if(!inserted.second) return inserted.first->second;
+    const std::size_t layer = n % step[2] / step[1], i = layer == 0 ? n + step[1] : n; // a corner between foot and rim
+    const bool all =
+      m_is_inside[i] && m_is_inside[i + step[0]] && m_is_inside[i + step[2]] && m_is_inside[i + step[0] + step[2]];
+    m_parts.push_back(layer > 0 && layer < ny - 1 ? Part::wall : all ? Part::cut : Part::sharp_edge);
+    m_points.push_back(position(n, 0.5));
+    project(m_points.size() - 1);
+    return m_points.size() - 1;
+  }
+
+  void find_opposite_halfedges()
+  {
+    std::map<std::pair<std::size_t, std::size_t>, std::size_t> halfedges;
+    for(std::size_t h = 0; h < m_source.size(); ++h) halfedges.emplace(std::make_pair(m_source[h], target(h)), h);
+    for(std::size_t h = 0; h < m_source.size(); ++h)
+    {
+      const auto opposite = halfedges.find({target(h), m_source[h]});
+      if(opposite == halfedges.end() || halfedges.size() < m_source.size()) throw std::logic_error("the mesh is not closed");
+      m_opposite.push_back(opposite->second);
+    }
+    // vertices - edges + faces = 2 - 2 genus
+    if(number_of_vertices() + 2 != number_of_faces() / 2) throw std::logic_error("the genus of the mesh is not two");
+  }
+
+  static std::size_t previous(std::size_t h) { return h % 3 == 0 ? h + 2 : h - 1; }
+  std::size_t target(std::size_t h) const { return m_source[previous(previous(h))]; }
+  std::size_t apex(std::size_t h) const { return m_source[previous(h)]; }
+
+  // Whether an edge is between a face on a cut and one of the wall.
+  bool is_sharp(std::size_t h) const
+  {
+    const auto is_wall = [&](std::size_t v) { return m_parts[v] == Part::wall; };
+    return !is_wall(m_source[h]) && !is_wall(target(h)) && is_wall(apex(h)) != is_wall(apex(m_opposite[h]));
+  }
+
+  double cotangent_at_apex(std::size_t h) const
+  {
+    const Vector p = m_points[apex(h)], a = m_points[m_source[h]] - p, b = m_points[target(h)] - p;
+    return a * b / twice_area(a, b);
+  }
+
+  // Flips edges whose opposite angles have a sum of more than 180 degrees, but no sharp edges, and none into a chord of these.
+  void flip_edges()
+  {
+    const auto link = [&](std::size_t g, std::size_t h) {
+      m_opposite[g] = h;
+      m_opposite[h] = g;
+    };
+    for(std::size_t h = 0; h < m_source.size(); ++h)
+    {
+      const std::size_t g = m_opposite[h], a = apex(g), b = apex(h);
+      if(is_sharp(h) || (m_parts[a] == Part::sharp_edge && m_parts[b] == Part::sharp_edge)) continue;
+      if(cotangent_at_apex(g) + cotangent_at_apex(h) > -1e-9) continue;
+      m_source[g] = b;
+      m_source[h] = a;
+      link(g, m_opposite[previous(h)]);
+      link(h, m_opposite[previous(g)]);
+      link(previous(g), previous(h));
+    }
+  }
+
+  // Moves vertices to the centroid of the faces around them, those on sharp edges to the middle of their neighbours there.
+  void relax()
+  {
+    std::vector<Vector> sums(m_points.size(), Vector{0, 0, 0});
+    std::vector<double> weights(m_points.size(), 0);
+    for(std::size_t h = 0; h < m_source.size(); ++h)
+    {
+      const std::size_t v = m_source[h];
+      const Vector a = m_points[v], b = m_points[target(h)], c = m_points[apex(h)];
+      const bool at_edge = m_parts[v] == Part::sharp_edge;
+      const double weight = at_edge ? is_sharp(h) : twice_area(b - a, c - a);
+      sums[v] = sums[v] + weight * (at_edge ? b : (1.0 / 3) * (a + b + c));
+      weights[v] += weight;
+    }
+    for(std::size_t v = 0; v < m_points.size(); ++v)
+    {
+      m_points[v] = (1 / weights[v]) * sums[v];
+      project(v);
+    }
+  }
+
+  // Moves a vertex onto its part of the surface, by Newton steps.
+  void project(std::size_t v)
+  {
+    Vector& p = m_points[v];
+    if(m_parts[v] != Part::wall) p.y = p.y < 0.5 * (foot + rim) ? foot : rim;
+    for(int i = 0; i < 8 && m_parts[v] != Part::cut; ++i)
+    {
+      const double h = 1e-6, value = clay(p);
+      if(std::abs(value) < 1e-12) return;
+      const auto derivative = [&](const Vector& d) { return (clay(p + h * d) - value) / h; };
+      const Vector g{derivative({1, 0, 0}), m_parts[v] == Part::wall ? derivative({0, 1, 0}) : 0, derivative({0, 0, 1})};
+      p = p - (value / (g * g)) * g;
+    }
   }
 };
-
-// Projects the smooth parts back to the surface, and the sharp edges to the intersections with the planes of foot and rim.
-void project(Mesh& mesh)
-{
-  for(Mesh::Vertex_index v : mesh.vertices())
-  {
-    Point p = mesh.point(v);
-    const bool on_cut = is_on_cut(p);
-    if(on_cut)
-    {
-      p = Point(p.x(), std::abs(p.y() - foot) < 1e-7 ? foot : rim, p.z());
-      bool at_edge = false;
-      for(Mesh::Vertex_index w : CGAL::vertices_around_target(v, mesh)) at_edge = at_edge || !is_on_cut(mesh.point(w));
-      if(!at_edge)
-      {
-        mesh.point(v) = p;
-        continue;
-      }
-    }
-    for(int i = 0; i < 8; ++i)
-    {
-      Vector g = gradient(p);
-      if(on_cut) g = Vector(g.x(), 0, g.z());
-      p = p - (vase(p) / g.squared_length()) * g;
-    }
-    mesh.point(v) = p;
-  }
-}
-
-Mesh make_vase()
-{
-  Mesh mesh = Marching_tetrahedra()();
-  PMP::clip(mesh, Kernel::Plane_3(0, -1, 0, foot), CGAL::parameters::clip_volume(true));
-  PMP::clip(mesh, Kernel::Plane_3(0, 1, 0, -rim), CGAL::parameters::clip_volume(true));
-  auto sharp = mesh.add_property_map<Mesh::Edge_index, bool>("e:sharp", false).first;
-  for(Mesh::Edge_index e : mesh.edges())
-  {
-    // between a face on a cut and one across it
-    const auto is_cut = [&](Mesh::Halfedge_index h) {
-      const auto around = mesh.vertices_around_face(h);
-      return std::all_of(around.begin(), around.end(), [&](Mesh::Vertex_index v) { return is_on_cut(mesh.point(v)); });
-    };
-    const Mesh::Halfedge_index h = mesh.halfedge(e);
-    sharp[e] = is_cut(h) != is_cut(mesh.opposite(h));
-  }
-  PMP::isotropic_remeshing(faces(mesh), edge_length, mesh,
-                           CGAL::parameters::number_of_iterations(8)
-                             .number_of_relaxation_steps(2)
-                             .edge_is_constrained_map(sharp)
-                             .collapse_constraints(true)
-                             .relax_constraints(true));
-  mesh.collect_garbage();
-  project(mesh);
-  return mesh;
-}
 
 void write_curve(std::ostream& out)
 {
@@ -247,6 +255,16 @@ void write_curve(std::ostream& out)
   out << '\n';
 }
 
+template <class Write>
+void write_file(const std::string& name, const Write& write)
+{
+  std::ofstream file(name);
+  file.precision(17);
+  write(file);
+  file.close();
+  if(!file) throw std::runtime_error("cannot write '" + name + "'");
+}
+
 } // namespace
 
 int main(int argc, char* argv[])
@@ -258,29 +276,10 @@ int main(int argc, char* argv[])
   }
   try
   {
-    const Mesh mesh = make_vase();
-    std::ofstream mesh_file(argv[1]);
-    mesh_file.precision(17);
-    mesh_file << mesh;
-    mesh_file.close();
-    if(!mesh_file)
-    {
-      std::cerr << "generate_example_mesh: cannot write '" << argv[1] << "'" << std::endl;
-      return 1;
-    }
-    if(argc == 3)
-    {
-      std::ofstream curve_file(argv[2]);
-      curve_file.precision(17);
-      write_curve(curve_file);
-      curve_file.close();
-      if(!curve_file)
-      {
-        std::cerr << "generate_example_mesh: cannot write '" << argv[2] << "'" << std::endl;
-        return 1;
-      }
-    }
-    std::cout << "generated " << mesh.number_of_vertices() << " vertices, " << mesh.number_of_faces() << " faces" << std::endl;
+    const Vase vase;
+    write_file(argv[1], [&](std::ostream& out) { vase.write(out); });
+    if(argc == 3) write_file(argv[2], write_curve);
+    std::cout << "generated " << vase.number_of_vertices() << " vertices, " << vase.number_of_faces() << " faces" << std::endl;
   }
   catch(const std::exception& error)
   {
