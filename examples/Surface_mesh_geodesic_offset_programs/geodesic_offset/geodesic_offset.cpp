@@ -12,30 +12,22 @@
 #include "common/program_main.h"
 #include "common/sources.h"
 #include "common/version.h"
-#include "curve_files.h"
 #include "drawing.h"
-#include "field_output.h"
 #include "level_files.h"
 #include "levels.h"
 #include "offset_cutting.h"
 #include "offset_report.h"
 #include "options.h"
-#include "paths.h"
-#include "picture_output.h"
-#include "png_output.h"
+#include "outputs.h"
 #include "progress.h"
 #include "reach.h"
-#include "split_output.h"
-#include "stats_output.h"
 #include "threads.h"
-#include "voronoi_output.h"
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
-#include <cstdio>
 #include <iostream>
 #include <new>
+#include <optional>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -43,11 +35,6 @@
 
 namespace geodesic_offset {
 namespace {
-
-double chord_tolerance(const Options& options, const Mesh_input& input)
-{
-  return options.tolerance.value_or(1e-4 * input.bounding_box_diagonal());
-}
 
 Mesh_input load(const Options& options, Run_figures& figures, Progress& progress)
 {
@@ -117,12 +104,13 @@ std::pair<std::size_t, std::size_t> unreached(const Mesh_input& input, const Sou
 }
 
 // Computes the levels, and reports their number before the long computation.
-template <class Concurrency_tag>
 Levels plan_levels(const Mesh_input& input, const Sources& sources, Geodesic& geodesic, const Options& options,
                    Progress& progress)
 {
   const auto exact_reach = [&] {
-    geodesic.build(CGAL::parameters::compute_largest_distance(true).concurrency_tag(Concurrency_tag()));
+    with_concurrency_tag(options.threads, [&](auto tag) {
+      geodesic.build(CGAL::parameters::compute_largest_distance(true).concurrency_tag(tag));
+    });
     return geodesic.largest_distance().value();
   };
   Levels levels(
@@ -133,23 +121,14 @@ Levels plan_levels(const Mesh_input& input, const Sources& sources, Geodesic& ge
   return levels;
 }
 
-// Results of the first build; the picture may need another one.
-struct Solution
-{
-  Offsets offsets;
-  Geodesic::Statistics statistics;
-  File_field field;
-};
-
-template <class Concurrency_tag>
 Solution solve(const Mesh_input& input, const Sources& sources, const Levels& levels, Geodesic& geodesic,
                const Options& options, Output_files& files, Run_figures& figures, Progress& progress)
 {
   Drawing_check drawing(options.outputs, input.mesh(), input.bounding_box_diagonal(), sources);
   Level_files level_files(files, options, chord_tolerance(options, input));
   const Stopwatch time;
-  Offsets offsets = build_and_cut<Concurrency_tag>(geodesic, sources, figures.insides, levels, options,
-                                                   chord_tolerance(options, input), drawing, level_files, progress);
+  Offsets offsets = build_and_cut(geodesic, sources, figures.insides, levels, options, chord_tolerance(options, input), drawing,
+                                  level_files, progress);
   level_files.finish();
   File_field field(input, geodesic, !options.fields.empty() && sources.has_polylines(), options.field_details,
                    options.has_tolerance());
@@ -181,72 +160,24 @@ Solution solve(const Mesh_input& input, const Sources& sources, const Levels& le
   return {std::move(offsets), geodesic.statistics(), std::move(field)};
 }
 
-Output_files::Report writing_bar(Progress& progress)
+void run(const Options& options)
 {
-  return [&progress](const std::string& target, std::uintmax_t bytes, std::uintmax_t expected) {
-    char size[32];
-    std::snprintf(size, sizeof(size), "%.1f MB", static_cast<double>(bytes) / 1e6);
-    if(expected != 0)
-      progress.show("writing " + quoted(target), static_cast<double>(bytes) / static_cast<double>(expected), size);
-    else
-      progress.show("writing " + quoted(target), size);
-  };
-}
-
-template <class Concurrency_tag>
-void write(const Solution& solution, const Mesh_input& input, const Sources& sources, const Path_queries& queries,
-           Geodesic& geodesic, const Options& options, Output_files& files, const Run_figures& figures, Progress& progress)
-{
-  const std::vector<Offset_curve>& curves = solution.offsets.curves;
-  const Stopwatch time;
-  const std::string not_drawn = add_curve_files(files, options, solution.offsets, chord_tolerance(options, input));
-  for(const std::string& file : options.fields)
-    files.add(
-      file, [&](std::ostream& out) { write_field(out, file, input.soup(), solution.field); },
-      bytes_of_field(file, input.soup(), solution.field));
-  if(!options.split.empty())
-  {
-    progress.show("splitting " + quoted(options.mesh));
-    const Split_mesh split(input.mesh(), geodesic, curves, chord_tolerance(options, input));
-    files.add(
-      options.split, [&](std::ostream& out) { split.write(out); }, split.number_of_bytes());
-  }
-  if(!options.voronoi.empty())
-    add_voronoi_files(files, options.voronoi, input.mesh(), geodesic, chord_tolerance(options, input), progress);
-  const std::vector<Surface_path> paths = queries.paths(geodesic, progress);
-  for(const std::string& file : options.path_outputs)
-    files.add(file, [&](std::ostream& out) { write_paths(out, file, paths); });
-  if(!options.source_output.empty()) files.add(options.source_output, [&](std::ostream& out) { write_sources(out, sources); });
-  if(!options.picture.empty())
-  {
-    const Image image =
-      picture_of<Concurrency_tag>(geodesic, input.mesh(), sources, options, curves, paths, figures.largest_distance, progress);
-    files.add(options.picture, [&](std::ostream& out) { write_png(out, image); });
-  }
-  if(!options.stats.empty())
-    files.add(options.stats, [&](std::ostream& out) {
-      write_stats(out, figures, solution.statistics, with_requested(solution.offsets.levels, options.distances));
-    });
-  files.commit();
-  for(const std::string& file : files.targets()) progress.line("wrote " + file);
-  progress.line("outputs written", time.seconds());
-  if(!not_drawn.empty()) throw Input_error(not_drawn);
-}
-
-template <class Concurrency_tag>
-void run(const Options& options, Concurrency_tag tag)
-{
+  const Working_threads threads(options.threads);
   Progress progress(options.quiet);
   for(const std::string& file : options.files_written()) Output_files::check(file);
 
   Run_figures figures;
-  figures.threads = number_of_working_threads(tag);
+  figures.threads = threads.number();
   figures.has_tolerance = options.has_tolerance();
   const Mesh_input input = load(options, figures, progress);
 
   const Stopwatch setup_time;
   progress.show("sources");
-  Geodesic geodesic(input.mesh(), CGAL::parameters::concurrency_tag(tag));
+  std::optional<Geodesic> object;
+  with_concurrency_tag(options.threads, [&](auto tag) {
+    object.emplace(input.mesh(), CGAL::parameters::concurrency_tag(tag));
+  });
+  Geodesic& geodesic = *object;
   const Sources sources = find_sources(input, options, geodesic, progress);
   std::tie(figures.unreached_parts, figures.unreached_vertices) = unreached(input, sources);
   if(figures.unreached_parts != 0)
@@ -261,10 +192,10 @@ void run(const Options& options, Concurrency_tag tag)
 
   try
   {
-    const Levels levels = plan_levels<Concurrency_tag>(input, sources, geodesic, options, progress);
+    const Levels levels = plan_levels(input, sources, geodesic, options, progress);
     Output_files files(writing_bar(progress));
-    const Solution solution = solve<Concurrency_tag>(input, sources, levels, geodesic, options, files, figures, progress);
-    write<Concurrency_tag>(solution, input, sources, queries, geodesic, options, files, figures, progress);
+    const Solution solution = solve(input, sources, levels, geodesic, options, files, figures, progress);
+    write_outputs(solution, input, sources, queries, geodesic, options, files, figures, progress);
   }
   catch(const std::bad_alloc&)
   {
@@ -286,7 +217,7 @@ int main(int argc, char* argv[])
     else if(options.version)
       print_version(std::cout, "geodesic_offset", has_threads ? ", with TBB" : ", without TBB");
     else
-      with_threads(options.threads, [&](auto tag) { run(options, tag); });
+      run(options);
     return 0;
   });
 }

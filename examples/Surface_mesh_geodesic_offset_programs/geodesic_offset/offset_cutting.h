@@ -15,6 +15,7 @@
 #include "levels.h"
 #include "options.h"
 #include "progress.h"
+#include "threads.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -163,10 +164,10 @@ inline double distance_limit(const Options& options, const Levels& levels, const
 }
 
 // Builds the distances and returns the offsets. Those of `files` are written.
-template <class Concurrency_tag>
-Offsets build_and_cut(Geodesic& geodesic, const Sources& sources,
-                      const std::map<std::size_t, CGAL::Geodesic_inner_side>& insides, const Levels& levels,
-                      const Options& options, double tolerance, Drawing_check& drawing, Level_files& files, Progress& progress)
+inline Offsets build_and_cut(Geodesic& geodesic, const Sources& sources,
+                             const std::map<std::size_t, CGAL::Geodesic_inner_side>& insides, const Levels& levels,
+                             const Options& options, double tolerance, Drawing_check& drawing, Level_files& files,
+                             Progress& progress)
 {
   Offsets offsets;
   const double limit = distance_limit(options, levels, sources);
@@ -178,15 +179,15 @@ Offsets build_and_cut(Geodesic& geodesic, const Sources& sources,
       .relative_tolerance(options.relative_tolerance)
       .merging_tolerance(options.merging_tolerance)
       .visitor(internal::Solving_bar(levels, collector, limit, progress));
-  if(levels.empty())
-  {
-    geodesic.build(parameters.concurrency_tag(Concurrency_tag()));
-    return offsets;
-  }
-  geodesic.build_with_offset_curves_by_distance(levels.distances(), collector,
-                                                parameters.offset_side(sources.sides(options.selected_side, insides))
-                                                  .end_style(options.selected_end)
-                                                  .concurrency_tag(Concurrency_tag()));
+  with_concurrency_tag(options.threads, [&](auto tag) {
+    if(levels.empty())
+      geodesic.build(parameters.concurrency_tag(tag));
+    else
+      geodesic.build_with_offset_curves_by_distance(levels.distances(), collector,
+                                                    parameters.offset_side(sources.sides(options.selected_side, insides))
+                                                      .end_style(options.selected_end)
+                                                      .concurrency_tag(tag));
+  });
   return offsets;
 }
 

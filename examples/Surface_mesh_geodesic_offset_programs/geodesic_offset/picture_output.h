@@ -14,6 +14,7 @@
 #include "options.h"
 #include "paths.h"
 #include "progress.h"
+#include "threads.h"
 
 #include <algorithm>
 #include <array>
@@ -41,8 +42,8 @@ inline View view_of(const Options& options, const Mesh& mesh, const Sources& sou
 }
 
 // If some faces are too large for interpolation, builds again with kept windows unless the last build has them.
-template <class Concurrency_tag>
-Face_distances face_distances(Geodesic& geodesic, const Mesh& mesh, const Options& options, double largest, Progress& progress)
+inline Face_distances face_distances(Geodesic& geodesic, const Mesh& mesh, const Options& options, double largest,
+                                     Progress& progress)
 {
   Face_distances distances(mesh, geodesic, largest);
   if(!distances.need_windows() || options.needs_windows()) return distances;
@@ -60,12 +61,14 @@ Face_distances face_distances(Geodesic& geodesic, const Mesh& mesh, const Option
     progress.show("distances inside faces", done);
     return true;
   };
-  geodesic.build(CGAL::parameters::distance_limit(options.maximum_distance.value_or(infinity))
-                   .keep_windows(true)
-                   .relative_tolerance(options.relative_tolerance)
-                   .merging_tolerance(options.merging_tolerance)
-                   .visitor(show)
-                   .concurrency_tag(Concurrency_tag()));
+  with_concurrency_tag(options.threads, [&](auto tag) {
+    geodesic.build(CGAL::parameters::distance_limit(options.maximum_distance.value_or(infinity))
+                     .keep_windows(true)
+                     .relative_tolerance(options.relative_tolerance)
+                     .merging_tolerance(options.merging_tolerance)
+                     .visitor(show)
+                     .concurrency_tag(tag));
+  });
   return distances;
 }
 
@@ -73,12 +76,11 @@ Face_distances face_distances(Geodesic& geodesic, const Mesh& mesh, const Option
 
 // `largest`: the largest distance of the surface. Precondition: the last build has all requested distances. May replace it
 // by another build with the same distances.
-template <class Concurrency_tag>
-Image picture_of(Geodesic& geodesic, const Mesh& mesh, const Sources& sources, const Options& options,
-                 const std::vector<Offset_curve>& curves, const std::vector<Surface_path>& paths, double largest,
-                 Progress& progress)
+inline Image picture_of(Geodesic& geodesic, const Mesh& mesh, const Sources& sources, const Options& options,
+                        const std::vector<Offset_curve>& curves, const std::vector<Surface_path>& paths, double largest,
+                        Progress& progress)
 {
-  const Face_distances distances = internal::face_distances<Concurrency_tag>(geodesic, mesh, options, largest, progress);
+  const Face_distances distances = internal::face_distances(geodesic, mesh, options, largest, progress);
   Picture picture(mesh, distances, internal::view_of(options, mesh, sources));
   for(const Point& point : sources.points()) picture.add_source(point);
   for(const Polyline& polyline : sources.polylines()) picture.add_source(polyline);

@@ -41,28 +41,37 @@ inline std::optional<std::size_t> number_of_threads(const po::variables_map& map
 
 } // namespace internal
 
-// Number of threads for a concurrency tag, inside with_threads().
-template <class Concurrency_tag>
-std::size_t number_of_working_threads(Concurrency_tag)
+// Calls f(concurrency tag) for a number of the option --threads.
+template <class Function>
+void with_concurrency_tag(std::optional<std::size_t> threads, const Function& f)
 {
-#ifdef CGAL_LINKED_WITH_TBB
-  if(std::is_same<Concurrency_tag, CGAL::Parallel_tag>::value)
-    return static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
-#endif
-  return 1;
+  if(threads == 1)
+    f(CGAL::Sequential_tag());
+  else
+    f(CGAL::Parallel_if_available_tag());
 }
 
-// Calls f(concurrency tag) with at most that many threads; with those of the machine if no number is given.
-template <class Function>
-void with_threads(std::optional<std::size_t> number, const Function& f)
+// During its life, at most the given number of threads work; those of the machine if no number is given.
+class Working_threads
 {
-  if(number == 1) return f(CGAL::Sequential_tag());
 #ifdef CGAL_LINKED_WITH_TBB
-  std::optional<tbb::global_control> control;
-  if(number) control.emplace(tbb::global_control::max_allowed_parallelism, *number);
+  std::optional<tbb::global_control> m_control;
 #endif
-  f(CGAL::Parallel_if_available_tag());
-}
+  std::size_t m_number = 1;
+
+public:
+  explicit Working_threads(std::optional<std::size_t> number)
+  {
+#ifdef CGAL_LINKED_WITH_TBB
+    if(number) m_control.emplace(tbb::global_control::max_allowed_parallelism, *number);
+    if(number != 1) m_number = static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
+#else
+    (void)number;
+#endif
+  }
+
+  std::size_t number() const { return m_number; }
+};
 
 } // namespace geodesic_offset
 
