@@ -28,7 +28,7 @@ if [ -n "$mesh" ]; then
 fi
 
 install_packages() {
-  packages="g++ cmake make libcgal-dev libboost-dev libboost-program-options-dev libgmp-dev libmpfr-dev libpng-dev zlib1g-dev libtbb-dev"
+  packages="g++ cmake ninja-build libcgal-dev libboost-dev libboost-program-options-dev libgmp-dev libmpfr-dev libpng-dev zlib1g-dev libtbb-dev"
   missing=
   for package in $packages; do
     if ! dpkg-query -W -f='${db:Status-Abbrev}' "$package" 2>/dev/null | grep -q '^.i'; then
@@ -46,6 +46,10 @@ install_packages() {
 
 if command -v apt-get >/dev/null 2>&1; then
   install_packages
+fi
+# make would compile the program only after the whole library
+if command -v ninja >/dev/null 2>&1; then
+  export CMAKE_GENERATOR=Ninja # of new build folders
 fi
 
 # a compiler takes up to 1.5 GB

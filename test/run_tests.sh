@@ -16,7 +16,7 @@ set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build=$root/build-tests
-packages=(g++ cmake make libcgal-dev libcgal-demo libboost-program-options-dev libboost-dev libpng-dev zlib1g-dev libeigen3-dev
+packages=(g++ cmake ninja-build libcgal-dev libcgal-demo libboost-program-options-dev libboost-dev libpng-dev zlib1g-dev libeigen3-dev
           libgmp-dev libmpfr-dev libtbb-dev libopenmesh-dev python3 doxygen)
 # Readers of the program's files in the tests, and clang-format: large packages, which are installed while the compiler runs.
 packages_of_tests=(python3-vtk9 python3-ezdxf python3-svgelements librsvg2-bin clang-format)
@@ -102,6 +102,10 @@ if command -v dpkg-query >/dev/null; then
 fi
 export GEODESIC_OFFSET_DATA_DIR=${GEODESIC_OFFSET_DATA_DIR:-}
 
+# make would compile the programs only after the whole library
+if command -v ninja >/dev/null; then
+  export CMAKE_GENERATOR=Ninja # of new build folders
+fi
 # -O1, except for the library, and programs that no test runs are only checked: most of the time of a fresh clone goes into compiling.
 cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE="-O1 -DNDEBUG" \
   -DGEODESIC_OFFSET_ONLY_CHECK_PROGRAMS=ON \
