@@ -1,8 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Meshes whose points belong to another kernel than the traits, and traits with other number types: multiprecision numbers
-// agree with doubles; side tests without exact predicates fail.
+// Meshes whose points belong to another kernel than the traits, side tests with and without exact predicates, and pairs of numbers.
 
 #include "generated_meshes.h"
 #include "geodesic_types.h"
@@ -18,7 +17,6 @@
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/tags.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/IO/write_offset_curves.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Simd_edge_exit.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window_bisector.h>
 
@@ -27,7 +25,6 @@
 #include <limits>
 #include <map>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -40,9 +37,6 @@ typedef CGAL::Exact_predicates_exact_constructions_kernel Exact_kernel;
 typedef CGAL::Simple_cartesian<double> Plain_kernel;
 typedef CGAL::Simple_cartesian<CGAL::Gmpfr> Long_kernel;
 typedef Generated_mesh<test::Surface_mesh> Data;
-
-template <class Kernel, class Mesh>
-using Geodesic_with = CGAL::Surface_mesh_geodesic_offset<CGAL::Surface_mesh_geodesic_offset_traits<Kernel, Mesh>>;
 
 // Typical results on any mesh: distances, a path, a located point, and an offset, all as doubles for comparison.
 template <class Mesh>
@@ -145,18 +139,6 @@ void mesh_of_rational_coordinates()
   CHECK(results(exact) == results(same_mesh<Kernel>(exact)));
 }
 
-// Distances of all vertices from one vertex, in any kernel.
-template <class AnyKernel>
-std::vector<typename AnyKernel::FT> distances_from(const test::Surface_mesh& mesh, Vertex_index source)
-{
-  Geodesic_with<AnyKernel, test::Surface_mesh> geodesic(mesh);
-  geodesic.add_source_point(source);
-  geodesic.build();
-  std::vector<typename AnyKernel::FT> out;
-  for (auto v : vertices(mesh)) out.push_back(geodesic.distance_to_sources(v));
-  return out;
-}
-
 // Flat convex meshes of needle faces, up to faces that are lines up to rounding: the straight line is correct. All paths to
 // a point tie up to rounding, and no other window replaces one that is dropped for an apparently equal path.
 void needles()
@@ -236,146 +218,6 @@ void side_tests_of_floats()
     if (exact == CGAL::ZERO) ++zeros;
   }
   CHECK_DETAIL(zeros > 10, std::to_string(zeros));
-}
-
-// All operations compile with the concept's archetype, which is not default constructible, whose functors have a state, and whose
-// numbers have no conversions. The functors are called, and the results are those of the default model.
-void concept_archetype()
-{
-  typedef Traits_archetype<test::Surface_mesh> Archetype;
-  typedef CGAL::Surface_mesh_geodesic_offset<Archetype> Geodesic_here;
-  typedef typename Archetype::FT FT;
-  const Data data(rotated(random_rectangle(2, 1, 30, 5, 4), 4));
-  typename Archetype::Calls calls;
-  const Archetype traits(calls);
-  Geodesic_here geodesic(data.mesh, CGAL::parameters::geom_traits(traits));
-  Geodesic expected(data.mesh);
-  const auto add_sources = [&](auto& g) {
-    g.add_source_point(data.vertices[3]);
-    g.add_source_polyline(std::vector<Geodesic::Face_location>{Geodesic::Face_location(data.faces[5], {{0.5, 0.25, 0.25}}),
-                                                               Geodesic::Face_location(data.faces[5], {{0.25, 0.25, 0.5}})});
-    g.build(CGAL::parameters::keep_windows(true));
-  };
-  add_sources(geodesic);
-  add_sources(expected);
-  Worst_error worst(1e-12, 1);
-  for (auto v : data.vertices)
-    CHECK_CLOSE(worst, CGAL::to_double(geodesic.distance_to_sources(v)), expected.distance_to_sources(v));
-  const Point_3& p = data.mesh.point(data.vertices[9]);
-  const typename Archetype::Point_3 q(FT(p.x()), FT(p.y()), FT(p.z()));
-  const typename Geodesic_here::Face_location location_here = geodesic.locate(q);
-  const auto& weights = location_here.second;
-  const Geodesic::Face_location location(
-    location_here.first, {{CGAL::to_double(weights[0]), CGAL::to_double(weights[1]), CGAL::to_double(weights[2])}});
-  CHECK_CLOSE(worst, CGAL::to_double(geodesic.distance_to_sources(location)), expected.distance_to_sources(location));
-  const auto nearest = geodesic.nearest_source(location);
-  CHECK(nearest && nearest->source == expected.nearest_source(location)->source);
-  std::vector<typename Archetype::Point_3> path;
-  geodesic.shortest_path_points_to_sources(location, std::back_inserter(path));
-  CHECK(path.size() >= 2);
-  CHECK(std::abs(CGAL::to_double(geodesic.gradient(location).value_or(CGAL::NULL_VECTOR).squared_length()) - 1) < 1e-12);
-  const auto farthest = geodesic.farthest_point().value();
-  CHECK_CLOSE(worst, CGAL::to_double(farthest.second), expected.farthest_point()->second);
-  std::vector<Geodesic_here::Offset_curve> curves;
-  geodesic.offset_curves(std::vector<FT>{FT(0.3) * farthest.second}, std::back_inserter(curves));
-  CHECK(!curves.empty());
-  std::ostringstream file;
-  CHECK(CGAL::IO::write_offset_curves(file, CGAL::IO::Offset_file_format::SVG, curves) &&
-        CGAL::IO::write_offset_curves(file, CGAL::IO::Offset_file_format::DXF, curves));
-  geodesic.build(CGAL::parameters::compute_largest_distance(true));
-  CHECK(geodesic.largest_distance().value() == farthest.second);
-  CHECK_CLOSE(worst, CGAL::to_double(geodesic.largest_vertex_distance().value()), expected.largest_vertex_distance().value());
-  const auto located = geodesic.locate_with_distance(q);
-  CHECK(located.first == location_here && located.second < FT(1e-15));
-  const typename Geodesic_here::Ray_3 ray(typename Archetype::Point_3(0, 0, 9), q);
-  CHECK_CLOSE(worst, CGAL::to_double(geodesic.distance_to_sources(geodesic.locate(ray).value())),
-              expected.distance_to_sources(location));
-  typename Archetype::Calls other_calls;
-  Geodesic_here borders(data.mesh, CGAL::parameters::geom_traits(Archetype(other_calls)));
-  CHECK(borders.add_source_boundary().size() == 1 && !borders.add_source_sharp_edges(1));
-  borders.add_source_points(data.vertices);
-  CHECK(borders.number_of_sources() == 1 + data.vertices.size());
-  geodesic.add_source_point(data.vertices[7]);
-  geodesic.update();
-  CHECK(geodesic.distance_to_sources(data.vertices[7]) == 0);
-  CHECK(calls.apices == data.faces.size());
-  CHECK(calls.frames > 0 && calls.entries > 0 && calls.exits > 0 && calls.distances > 0 && calls.comparisons > 0);
-}
-
-// Only for the compiler: the archetype with numbers that count as exact.
-[[maybe_unused]] void exact_concept_archetype(const test::Surface_mesh& mesh)
-{
-  typedef Traits_archetype<test::Surface_mesh, true> Archetype;
-  typename Archetype::Calls calls;
-  CGAL::Surface_mesh_geodesic_offset<Archetype> geodesic(mesh, CGAL::parameters::geom_traits(Archetype(calls)));
-  geodesic.add_source_boundary();
-  geodesic.build();
-  std::vector<CGAL::Surface_mesh_geodesic_offset<Archetype>::Offset_curve> curves;
-  geodesic.offset_curves(std::vector<int>{1}, std::back_inserter(curves));
-}
-
-// With 200 bits, results agree with double to rounding, and the straight line is correct to 55 digits.
-void long_numbers()
-{
-  CGAL::Gmpfr::set_default_precision(200);
-  std::size_t count = 0;
-  for (unsigned seed = 1; seed <= 6; ++seed)
-    for (const Soup& soup : {rotated(random_rectangle(2, 1, 12, 4, seed), seed), rotated(icosphere(1), seed),
-                             rotated(torus(5 + seed % 3, 4), seed), rotated(marching_sphere(4), seed)})
-    {
-      const Data data(soup);
-      const Vertex_index source = data.vertices[seed % data.vertices.size()];
-      const std::vector<double> expected = distances_from<Kernel>(data.mesh, source);
-      const std::vector<CGAL::Gmpfr> distances = distances_from<Long_kernel>(data.mesh, source);
-      Worst_error worst(1e-13, bounding_box_diagonal(data.mesh));
-      for (std::size_t i = 0; i < expected.size(); ++i, ++count) CHECK_CLOSE(worst, CGAL::to_double(distances[i]), expected[i]);
-    }
-  std::cout << "200 bits: " << count << " distances" << std::endl;
-
-  const Data flat(random_rectangle(2, 1, 20, 4, 3));
-  const std::vector<CGAL::Gmpfr> distances = distances_from<Long_kernel>(flat.mesh, flat.vertices[0]);
-  for (std::size_t i = 0; i < flat.vertices.size(); ++i)
-  {
-    const auto &p = flat.mesh.point(flat.vertices[0]), &q = flat.mesh.point(flat.vertices[i]);
-    const CGAL::Gmpfr x = CGAL::Gmpfr(q.x()) - CGAL::Gmpfr(p.x()), y = CGAL::Gmpfr(q.y()) - CGAL::Gmpfr(p.y());
-    const CGAL::Gmpfr straight = CGAL::sqrt(CGAL::Gmpfr(x * x + y * y));
-    CHECK(CGAL::abs(CGAL::Gmpfr(distances[i] - straight)) <= CGAL::Gmpfr(1e-55));
-  }
-
-  // the largest distance, and points of the surface
-  typedef Geodesic_with<Long_kernel, test::Surface_mesh> Long_geodesic;
-  const Data torus_data(rotated(torus(7, 5), 1));
-  Geodesic short_numbers(torus_data.mesh);
-  Long_geodesic long_numbers(torus_data.mesh);
-  short_numbers.add_source_points(std::vector<Vertex_index>{torus_data.vertices[0]});
-  long_numbers.add_source_points(std::vector<Vertex_index>{torus_data.vertices[0]});
-  short_numbers.build(CGAL::parameters::compute_largest_distance(true));
-  long_numbers.build(CGAL::parameters::compute_largest_distance(true));
-  Worst_error largest(1e-13, 2);
-  CHECK_CLOSE(largest, CGAL::to_double(long_numbers.largest_distance().value()), short_numbers.largest_distance().value());
-  for (int i = 0; i < 20; ++i)
-  {
-    const double x = std::cos(double(i)), y = std::sin(double(i)), z = 0.1 * i;
-    const auto a = short_numbers.locate_with_distance(Point_3(x, y, z));
-    const auto b = long_numbers.locate_with_distance(Long_kernel::Point_3(x, y, z));
-    CHECK_CLOSE(largest, CGAL::to_double(b.second), a.second);
-  }
-  CHECK(long_numbers.add_source_sharp_edges(1) && long_numbers.add_source_boundary().empty());
-
-  // with a tolerance, too
-  const Data round(icosphere(2));
-  Geodesic exact(round.mesh);
-  Geodesic_with<Long_kernel, test::Surface_mesh> bounded(round.mesh);
-  exact.add_source_point(round.vertices[0]);
-  bounded.add_source_point(round.vertices[0]);
-  exact.build();
-  bounded.build(CGAL::parameters::relative_tolerance(1e-3));
-  CHECK(bounded.statistics().windows_propagated < exact.statistics().windows_propagated);
-  for (Vertex_index v : round.vertices)
-  {
-    const double d = CGAL::to_double(bounded.distance_to_sources(v)), expected = exact.distance_to_sources(v);
-    CHECK_DETAIL(d <= expected + 1e-12 && d >= expected - CGAL::to_double(bounded.error_bound(v)) - 1e-12, values(d, expected));
-  }
 }
 
 // Pairs round as single numbers do, and comparisons with NaN are false.
@@ -484,33 +326,6 @@ void pairs()
   }
 }
 
-// Numbers with fewer digits than double, as wide as an index.
-void short_numbers()
-{
-  typedef CGAL::Simple_cartesian<float> Short_kernel;
-  for (const Soup& soup : {rotated(random_rectangle(2, 1, 60, 6, 1), 1), icosphere(2), saddle_fan()})
-  {
-    const Data data(soup);
-    const std::vector<double> expected = distances_from<Kernel>(data.mesh, data.vertices[0]);
-    const std::vector<float> distances = distances_from<Short_kernel>(data.mesh, data.vertices[0]);
-    Worst_error worst(1e-5, bounding_box_diagonal(data.mesh));
-    Geodesic geodesic(data.mesh);
-    Geodesic_with<Short_kernel, test::Surface_mesh> short_geodesic(data.mesh);
-    geodesic.add_source_point(data.vertices[0]);
-    short_geodesic.add_source_point(data.vertices[0]);
-    geodesic.build(CGAL::parameters::compute_largest_distance(true));
-    short_geodesic.build(CGAL::parameters::compute_largest_distance(true));
-    CHECK_CLOSE(worst, static_cast<double>(short_geodesic.largest_distance().value()), geodesic.largest_distance().value());
-    for (Vertex_index v : data.vertices) // rounding errors of floats are below an edge length
-    {
-      const Point_3& p = data.mesh.point(v);
-      const auto located = short_geodesic.locate_with_distance(Short_kernel::Point_3(float(p.x()), float(p.y()), float(p.z())));
-      CHECK(located.second < 1e-6);
-    }
-    for (std::size_t i = 0; i < expected.size(); ++i) CHECK_CLOSE(worst, static_cast<double>(distances[i]), expected[i]);
-  }
-}
-
 } // namespace test_kernels
 
 GEODESIC_OFFSET_TEST(test_kernels)
@@ -521,9 +336,6 @@ GEODESIC_OFFSET_TEST(test_kernels)
     {"needles", needles},
     {"side tests near zero", side_tests_near_zero},
     {"side tests of floats", side_tests_of_floats},
-    {"concept archetype", concept_archetype},
-    {"long numbers", long_numbers},
-    {"pairs", pairs},
-    {"short numbers", short_numbers}};
+    {"pairs", pairs}};
   return run_tests("test_kernels", tests);
 }

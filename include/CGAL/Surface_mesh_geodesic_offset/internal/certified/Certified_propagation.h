@@ -173,9 +173,9 @@ private:
   static double sum_of_radii(double a, double b) { return (a + b) * (1 + 2 * unit_roundoff); }
 
   // Excess length of paths around an end of the interval for rays outside the parent's interval. Outward rounding displaces
-  // the rays by at most 22 u of the distance of the exit from the corner, the error of the image by at most 4 sqrt(2) off,
+  // the rays by at most 22 u of the distance of the exit from the corner, the error of the image by at most 8 sqrt(2) off,
   // and the image itself is displaced by off. The path via the end of the interval is longer by at most twice the sum.
-  static double detour(double exit, double off) { return 48 * unit_roundoff * exit + 16 * off; }
+  static double detour(double exit, double off) { return 48 * unit_roundoff * exit + 32 * off; }
 
   // Position of b on the halfedge; the end of the halfedge is the vertex itself.
   Double_double place(double b) const { return b < length ? Double_double(b) : m_length; }
@@ -192,7 +192,9 @@ private:
   //
   // The exit is at t = b |y| / den, where den is r = |to_image| times the sine of the angle between ray and edge. If the
   // image moves by `off`, the exit moves by at most b s r off / (den den'), with the smallest den' on the way. The bound
-  // off / |y| of t would be far too large for an edge much longer than r. A ray with den' < den / 2 grazes the edge.
+  // off / |y| of t would be far too large for an edge much longer than r. A ray with den' < den / 2, or whose exit may move by
+  // more than a quarter of t, grazes the edge or the halfedge: the sines of its angles with both have a product of at most
+  // 23 s off / r, and a sum of at least s, so that the smaller one is at most 46 off / r.
   bool near_exit(const Certified_window& w, double to_image, double b, double c, double s, double off, double& t,
                  double& grazing) const
   {
@@ -200,15 +202,16 @@ private:
     across(w, to_image, c, s, den, error);
     if (den <= -(error + off)) return false;
     const double least = den - error - off;
-    if (least > error + off)
+    double y = -w.y;
+    const double aside = s * (std::abs(to_image) + y) * off;
+    if (least > error + off && 8 * aside <= y * least)
     {
-      double y = -w.y;
-      const double aside = s * (std::abs(to_image) + y) * off;
       if (8 * aside > unit_roundoff * (y * least)) y -= 2 * (aside / least);
       t = (std::max)(0., b * y) / (den + error) * (1 - exit_error);
       return true;
     }
-    t = (std::max)(0., b * (-w.y - off)) / (den + error + off) * (1 - exit_error);
+    t = (std::max)(0., b * (y - off)) / (den + error + off) * (1 - exit_error);
+    if (to_image < -off && c > 0) t = (std::max)(t, b / c * (1 - exit_error)); // the ray leaves the origin behind
     grazing = (std::max)(grazing, way_around_grazed(w, to_image, off));
     return true;
   }
@@ -225,6 +228,12 @@ private:
     }
     double y = -w.y;
     const double aside = s * (std::abs(to_image) + y) * off;
+    if (8 * aside > y * least)
+    {
+      grazing = (std::max)(grazing, way_around_grazed(w, to_image, off));
+      t = (std::min)(t, b * (y + off) / least * (1 + exit_error));
+      return;
+    }
     if (8 * aside > unit_roundoff * (y * least)) y += 2 * (aside / least);
     t = (std::min)(t, b * y / (den - error) * (1 + exit_error));
   }
@@ -238,12 +247,14 @@ private:
   }
 
   // Excess length of a path around an end of the interval for rays that graze an edge. The angle between ray and edge is at
-  // most (2 (error + off) + off) / r, so all points of the face are within this angle times its size of the ray. The error
-  // is below sqrt(2) r exit_error; r is the sum of the coordinates here, at most sqrt(2) times the length.
+  // most 46 pi / 2 off / r, or 3 (error + off) / r, so all points of the face in front of the image are within this angle times
+  // its size of the ray. The error is below sqrt(2) r exit_error; r is the sum of the coordinates here, at most sqrt(2) times
+  // the length. No way around is longer than that to the end of the interval and back.
   double way_around_grazed(const Certified_window& w, double to_image, double off) const
   {
     const double size = length + left_length + right_length, r = w.is_parallel() ? 1. : std::abs(to_image) - w.y;
-    return 6 * exit_error * size + (w.is_parallel() || 9 * off * size < 2 * r * r ? 9 * off * size / r : 2 * r);
+    const double turn = 105 * off * size / r;
+    return 6 * exit_error * size + (w.is_parallel() ? turn : (std::min)(turn, 2 * (r + off)));
   }
 
   const Rotation m_to_left, m_to_right; // into the frames of p -> r and r -> q
