@@ -15,6 +15,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <numeric>
 #include <utility>
@@ -37,15 +38,18 @@ class Border_stitching
 
   const std::vector<Point>& m_points;
   double m_tolerance;
+  std::function<bool(std::uint32_t, std::uint32_t)> m_has_edge;
   std::vector<std::uint32_t> m_root; // a forest of points, whose roots have the smallest indices
   bool m_is_needed = false; // whether points become one vertex
   std::size_t m_pairs = 0;
   double m_largest_gap = 0;
 
 public:
-  // edges: pairs of points; tolerance: the largest distance between points at the same place.
-  Border_stitching(const std::vector<Point>& points, std::vector<Border_edge> edges, double tolerance)
-    : m_points(points), m_tolerance(tolerance), m_root(identity())
+  // edges: pairs of points; tolerance: the largest distance between points at the same place; has_edge: whether an edge connects two
+  // points, so that faces would vanish if they became one.
+  Border_stitching(const std::vector<Point>& points, std::vector<Border_edge> edges, double tolerance,
+                   std::function<bool(std::uint32_t, std::uint32_t)> has_edge)
+    : m_points(points), m_tolerance(tolerance), m_has_edge(std::move(has_edge)), m_root(identity())
   {
     const std::vector<std::uint32_t> place = places(edges);
     const auto key = [&](const Border_edge& e) { return std::make_pair(place[e[0]], place[e[1]]); };
@@ -102,6 +106,11 @@ private:
 
   bool is_near(std::uint32_t i, std::uint32_t j) const { return distance(i, j) <= m_tolerance; }
 
+  bool may_join(std::uint32_t i, std::uint32_t j) const
+  {
+    return is_near(i, j) && (m_points[i] == m_points[j] || !m_has_edge(std::min(i, j), std::max(i, j)));
+  }
+
   // For each end of an edge, a point that stands for all those connected with it by steps within the tolerance.
   std::vector<std::uint32_t> places(const std::vector<Border_edge>& edges) const
   {
@@ -144,7 +153,7 @@ private:
     for(std::size_t i = begin; i < end; ++i)
       for(std::size_t j = i + 1; j < end && m_points[edges[j][0]].x() - m_points[edges[i][0]].x() <= m_tolerance; ++j)
       {
-        if(!is_near(edges[i][0], edges[j][0]) || !is_near(edges[i][1], edges[j][1])) continue;
+        if(!may_join(edges[i][0], edges[j][0]) || !may_join(edges[i][1], edges[j][1])) continue;
         is_joined[i - begin] = is_joined[j - begin] = true;
         for(std::size_t k : {0, 1})
         {

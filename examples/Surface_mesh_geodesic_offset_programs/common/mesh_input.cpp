@@ -12,6 +12,7 @@
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/Surface_mesh_geodesic_offset/remove_degenerate_faces_in_polygon_soup.h>
+#include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/helpers.h>
 
 #include <algorithm>
@@ -47,7 +48,7 @@ bool Mesh_input::has_coinciding_border_edges() const
   std::vector<std::array<std::uint32_t, 2>> border_edges;
   for(Edge e : m_mesh.edges())
     if(m_mesh.is_border(e)) border_edges.push_back({m_mesh.vertex(e, 0), m_mesh.vertex(e, 1)});
-  return Border_stitching(points, std::move(border_edges), 0).is_needed();
+  return Border_stitching(points, std::move(border_edges), 0, nullptr).is_needed();
 }
 
 void Mesh_input::require_memory_for_faces(const std::string& path) const
@@ -130,7 +131,7 @@ void Mesh_input::build(const std::string& path, Faces& faces, const Border_joini
   faces.points = m_soup.points;
   faces.polygons = faces.names;
   std::optional<Polygon_links> links(std::in_place, faces.polygons, faces.points.size());
-  const bool is_stitched = joining.is_on && stitch(links->border_edges(), joining.tolerance, faces);
+  const bool is_stitched = joining.is_on && stitch(*links, joining.tolerance, faces);
   const bool is_repaired = remove_degenerate_faces(path, faces);
   if(is_stitched || is_repaired) links.emplace(faces.polygons, faces.points.size());
   const std::size_t polygons_before = faces.names.size();
@@ -144,9 +145,11 @@ void Mesh_input::build(const std::string& path, Faces& faces, const Border_joini
     m_remarks.push_back("cut where it is not an orientable manifold: " + counted(added, "vertex", "vertices") + " added");
 }
 
-bool Mesh_input::stitch(std::vector<std::array<std::uint32_t, 2>> border_edges, double tolerance, Faces& faces)
+bool Mesh_input::stitch(const Polygon_links& links, double tolerance, Faces& faces)
 {
-  Border_stitching stitching(faces.points, std::move(border_edges), tolerance);
+  Border_stitching stitching(faces.points, links.border_edges(), tolerance, [&](std::uint32_t i, std::uint32_t j) {
+    return links.has_edge(i, j);
+  });
   if(!stitching.is_needed()) return false;
   faces.merged.resize(faces.points.size());
   for(std::uint32_t i = 0; i < faces.merged.size(); ++i) faces.merged[i] = stitching(i);
@@ -333,6 +336,33 @@ void Mesh_input::map_vertices(const Faces& faces)
       m_first_vertex[file_vertex] = v;
 }
 
+void Mesh_input::divide(const std::vector<Halfedge>& corners)
+{
+  std::vector<Point> points;
+  for(Halfedge h : corners) points.push_back(m_mesh.point(m_mesh.target(h)));
+  const Polygon_division division(points);
+  // the part of the polygon from corner i to corner j, and its halfedge that ends at i
+  struct Part
+  {
+    std::size_t i, j;
+    Halfedge at_i;
+  };
+  std::vector<Part> parts{{0, corners.size() - 1, corners[0]}};
+  while(!parts.empty())
+  {
+    const Part part = parts.back();
+    parts.pop_back();
+    const std::size_t k = division.third(part.i, part.j);
+    Halfedge at_k = corners[k];
+    if(k - part.i >= 2)
+    {
+      at_k = CGAL::Euler::split_face(part.at_i, corners[k], m_mesh);
+      parts.push_back({part.i, k, m_mesh.opposite(at_k)});
+    }
+    if(part.j - k >= 2) parts.push_back({k, part.j, m_mesh.opposite(CGAL::Euler::split_face(at_k, corners[part.j], m_mesh))});
+  }
+}
+
 void Mesh_input::triangulate(const std::string& path, const Faces& faces)
 {
   namespace PMP = CGAL::Polygon_mesh_processing;
@@ -341,8 +371,14 @@ void Mesh_input::triangulate(const std::string& path, const Faces& faces)
     if(!CGAL::is_triangle(m_mesh.halfedge(f), m_mesh)) others.push_back(f);
   if(others.empty()) return;
   for(Face f : others)
-    if(!PMP::triangulate_face(f, m_mesh))
+  {
+    std::vector<Halfedge> corners;
+    for(Halfedge h : m_mesh.halfedges_around_face(m_mesh.halfedge(f))) corners.push_back(h);
+    if(corners.size() <= largest_divided_polygon)
+      divide(corners);
+    else if(!PMP::triangulate_face(f, m_mesh))
       throw Input_error(quoted(path) + ": face " + std::to_string(faces.positions[f]) + " cannot be triangulated");
+  }
   m_remarks.push_back(counted(others.size(), "face") + " with more than three vertices triangulated");
 }
 

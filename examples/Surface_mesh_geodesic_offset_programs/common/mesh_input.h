@@ -128,7 +128,7 @@ private:
 
   // Merges the ends of border edges at the same place. Parts that only touch at a vertex remain separate. Returns whether there
   // are such edges.
-  bool stitch(std::vector<std::array<std::uint32_t, 2>> border_edges, double tolerance, Faces& faces);
+  bool stitch(const Polygon_links& links, double tolerance, Faces& faces);
 
   // Returns whether there are such faces.
   bool remove_degenerate_faces(const std::string& path, Faces& faces);
@@ -152,6 +152,7 @@ private:
 
   void map_vertices(const Faces& faces);
 
+  void divide(const std::vector<Halfedge>& corners);
   void triangulate(const std::string& path, const Faces& faces);
 
   static Vertex_pairs pairs_of_vertices(const Faces& faces);

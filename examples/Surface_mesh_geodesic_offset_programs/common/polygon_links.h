@@ -83,6 +83,13 @@ public:
   // Whether no edge has more than two sides, or two of the same direction.
   bool is_manifold() const { return m_is_manifold; }
 
+  // Whether there is an edge between two vertices; low < high.
+  bool has_edge(std::uint32_t low, std::uint32_t high) const
+  {
+    const auto it = std::lower_bound(m_sides.begin(), m_sides.end(), internal::Polygon_side{low, high, 0, false});
+    return it != m_sides.end() && it->low == low && it->high == high;
+  }
+
   // Edges with one side, sorted by their ends, which are sorted, too.
   std::vector<std::array<std::uint32_t, 2>> border_edges() const
   {

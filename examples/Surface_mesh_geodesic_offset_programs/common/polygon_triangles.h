@@ -46,42 +46,65 @@ inline bool is_simple(const Polygon& polygon, const std::vector<Point>& points)
   return normal != CGAL::NULL_VECTOR && CGAL::is_simple_2(p.begin(), p.end(), CGAL::Projection_traits_3<Kernel>(normal));
 }
 
-// Triangulation with the smallest area: the parts that a polygon covers twice, such as spikes, become triangles without area. A fan
-// if the polygon is large, since the time is cubic in its size.
+// Corners of polygons that are divided as below: the time is cubic in their number, about a second.
+constexpr std::size_t largest_divided_polygon = 300;
+
+// The triangulation of a polygon with the smallest area; of those with the same area up to rounding, that with the smallest sum of
+// squared lengths of edges. The parts that a polygon covers twice, such as spikes, become triangles without area.
+class Polygon_division
+{
+  std::size_t m_n;
+  std::vector<std::size_t> m_third;
+
+public:
+  // Precondition: 3 <= p.size() <= largest_divided_polygon
+  explicit Polygon_division(const std::vector<Point>& p) : m_n(p.size()), m_third(m_n * m_n, 0)
+  {
+    std::vector<double> area(m_n * m_n, 0), squares(m_n * m_n, 0);
+    for(std::size_t j = 2; j < m_n; ++j)
+      for(std::size_t i = j - 1; i-- > 0;)
+      {
+        double &least = area[i * m_n + j], &least_squares = squares[i * m_n + j];
+        least = infinity;
+        for(std::size_t k = i + 1; k < j; ++k)
+        {
+          const double triangle = std::sqrt(internal::area_vector(p[i], p[k], p[j]).squared_length());
+          const double sum = area[i * m_n + k] + area[k * m_n + j] + triangle;
+          const double sum_of_squares = squares[i * m_n + k] + squares[k * m_n + j] + CGAL::squared_distance(p[i], p[j]);
+          const bool is_same = std::abs(sum - least) <= rounding * sum;
+          if(is_same ? !(sum_of_squares < least_squares) : !(sum < least)) continue;
+          least = sum;
+          least_squares = sum_of_squares;
+          m_third[i * m_n + j] = k;
+        }
+      }
+  }
+
+  // The corner of the triangle at the diagonal, or the side, between the corners i and j.
+  std::size_t third(std::size_t i, std::size_t j) const { return m_third[i * m_n + j]; }
+
+private:
+  static constexpr double rounding = 1e-12; // of areas, well above that of the sums
+};
+
+// As above; a fan if the polygon is larger.
 inline std::vector<Polygon> triangles_of(const Polygon& polygon, const std::vector<Point>& points)
 {
   const std::size_t n = polygon.size();
-  constexpr std::size_t largest = 300; // corners: about a second
   std::vector<Polygon> triangles;
-  if(n > largest)
+  if(n > largest_divided_polygon)
   {
     for(std::size_t k = 1; k + 1 < n; ++k) triangles.push_back({polygon[0], polygon[k], polygon[k + 1]});
     return triangles;
   }
-  const std::vector<Point> p = internal::corners_of(polygon, points);
-  // for the corners from i to j, the smallest area, and the corner k of the triangle at their diagonal ij
-  std::vector<double> area(n * n, 0);
-  std::vector<std::size_t> third(n * n, 0);
-  for(std::size_t j = 2; j < n; ++j)
-    for(std::size_t i = j - 1; i-- > 0;)
-    {
-      area[i * n + j] = infinity;
-      for(std::size_t k = i + 1; k < j; ++k)
-      {
-        const double triangle = std::sqrt(internal::area_vector(p[i], p[k], p[j]).squared_length());
-        const double sum = area[i * n + k] + area[k * n + j] + triangle;
-        if(!(sum < area[i * n + j])) continue;
-        area[i * n + j] = sum;
-        third[i * n + j] = k;
-      }
-    }
+  const Polygon_division division(internal::corners_of(polygon, points));
   std::vector<std::array<std::size_t, 2>> diagonals{{0, n - 1}};
   while(!diagonals.empty())
   {
     const auto [i, j] = diagonals.back();
     diagonals.pop_back();
     if(j - i < 2) continue;
-    const std::size_t k = third[i * n + j];
+    const std::size_t k = division.third(i, j);
     triangles.push_back({polygon[i], polygon[k], polygon[j]});
     diagonals.push_back({i, k});
     diagonals.push_back({k, j});

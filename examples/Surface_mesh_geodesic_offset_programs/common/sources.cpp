@@ -101,6 +101,15 @@ std::vector<Hit> hits_of_line(const Geodesic_mesh& mesh, const Point& point, con
   return hits;
 }
 
+// Whether the normals of two faces differ by more than 135 degrees.
+bool have_opposite_normals(const Mesh& mesh, Face f, Face g)
+{
+  if(f == g) return false;
+  const Vector n = CGAL::Polygon_mesh_processing::compute_face_normal(f, mesh),
+               m = CGAL::Polygon_mesh_processing::compute_face_normal(g, mesh); // unit vectors
+  return n * m < -std::sqrt(0.5);
+}
+
 } // namespace
 
 Face_location put_on_surface(const Geodesic_mesh& mesh, const Point& point, const Source_options& options, Moved_points& moved,
@@ -224,20 +233,30 @@ void Sources::add_polyline(const File_polyline& from, const std::string& file, c
   const std::string line = quoted(file) + ", line " + std::to_string(from.line);
   const std::size_t n = from.points.size();
   const double gap = std::sqrt(CGAL::squared_distance(from.points.front(), from.points.back()));
-  const CGAL::Polyline_closing closing = CGAL::polyline_closing(from.points, options.close_gap);
+  const CGAL::Polyline_closing closing = CGAL::polyline_closing(from.points);
+  const bool is_small = n >= 3 && gap <= options.close_gap; // the gap
+  // whether the last point stands for the first one; otherwise a segment joins them
+  const bool repeats_first =
+    closing == CGAL::Polyline_closing::CLOSED || (closing == CGAL::Polyline_closing::NEARLY_CLOSED && is_small);
   Surface_polyline polyline;
-  polyline.is_closed = closing == CGAL::Polyline_closing::CLOSED;
-  if(polyline.is_closed && gap > 0) m_remarks.push_back(line + ": closed, its ends are " + short_number(gap) + " apart");
-  if(closing == CGAL::Polyline_closing::NEARLY_CLOSED)
+  polyline.is_closed = repeats_first || is_small;
+  if(polyline.is_closed && gap > 0)
+    m_remarks.push_back(line + (repeats_first ? ": closed, its ends are " + short_number(gap) + " apart"
+                                              : ": closed by a segment of length " + short_number(gap)));
+  if(closing == CGAL::Polyline_closing::NEARLY_CLOSED && !is_small)
     m_warnings.push_back(line + ": open, although its ends are only " + short_number(gap) + " apart; --close-gap " +
                          short_number(gap * (1 + 1e-5)) /* not less after rounding to 6 digits */ + " closes it");
   std::vector<Point> points = from.points;
-  if(polyline.is_closed) points.pop_back();
+  if(repeats_first) points.pop_back();
   std::vector<Face_location> located =
     put_on_surface(m_geodesic, points, options, m_moved, [&](std::size_t i) { return line + ": " + name(i); });
-  if(polyline.is_closed) located.push_back(located.front());
-  Detours detours(from.points);
-  for(std::size_t i = 0; i < n; ++i)
+  if(polyline.is_closed)
+  {
+    points.push_back(points.front());
+    located.push_back(located.front());
+  }
+  Detours detours(points);
+  for(std::size_t i = 0; i < points.size(); ++i)
   {
     if(polyline.locations.empty())
     {
@@ -248,7 +267,7 @@ void Sources::add_polyline(const File_polyline& from, const std::string& file, c
     {
       const std::array<Face_location, 2> ends = {polyline.locations.back(), located[i]};
       const Surface_polyline path = m_geodesic.join_polyline(ends);
-      detours.add(i - 1, length_of(path));
+      detours.add(i - 1, length_of(path), have_opposite_normals(m_mesh, ends[0].first, ends[1].first));
       polyline.locations.insert(polyline.locations.end(), path.locations.begin() + 1, path.locations.end());
     }
     catch(const std::invalid_argument&)

@@ -71,6 +71,8 @@ class Detours
 {
   // Times the distance in space. A path over an edge of 60 degrees is as long as this; one around a half circle is 1.57 times as long.
   static constexpr double factor = 2;
+  // The same if the normals at both ends are opposite, as on both sides of a thin part near its rim.
+  static constexpr double factor_across = 1.1;
   // Fraction of the length of the polyline: shorter detours are due to points that are nearly the same.
   static constexpr double least = 1e-4;
 
@@ -85,11 +87,11 @@ public:
     for(std::size_t i = 1; i < points.size(); ++i) m_length += distance(i - 1);
   }
 
-  // The length of the path from a point to the next one.
-  void add(std::size_t i, double path)
+  // The length of the path from a point to the next one, and whether the normals there are opposite.
+  void add(std::size_t i, double path, bool has_opposite_normals)
   {
     const double direct = distance(i);
-    if(!(path > factor * direct && path > least * m_length)) return;
+    if(!(path > (has_opposite_normals ? factor_across : factor) * direct && path > least * m_length)) return;
     ++m_number;
     if(!(path - direct > m_worst_path - m_worst_distance)) return;
     m_worst = i;

@@ -62,11 +62,16 @@ inline std::map<std::size_t, CGAL::Geodesic_inner_side> find_insides(const Optio
     const std::string areas = "area " + short_number(inner.inner_area) + ", outside " + short_number(inner.outer_area);
     if(needed.size() <= most_lines)
       progress.line(name + ": inside = " + (is_left ? "left" : "right") + ", the side " +
-                    (inner.is_by_area ? "of smaller area" : "without border") + " (" + areas + ")");
+                    (inner.is_by_area   ? "of smaller area"
+                     : inner.has_border ? "that has an area"
+                                        : "without border") +
+                    " (" + areas + ")");
     if(inner.is_doubtful() && ++doubtful <= most_lines)
-      progress.warning(name + ": inside = " + (is_left ? "left" : "right") +
-                       " is in doubt, as both sides have about the same area (" + areas +
-                       "); --side left and --side right are certain");
+      progress.warning(name + ": inside = " + (is_left ? "left" : "right") + " is in doubt, as " +
+                       (!inner.has_border  ? "both sides have about the same area"
+                        : inner.is_by_area ? "both sides have border of the surface, of holes or around it"
+                                           : "the curve is along a border, and there is another one on its only side") +
+                       " (" + areas + "); --side left and --side right are certain");
   }
   if(needed.size() > most_lines)
     progress.line("sources: inside = left for " + counted(left, "polyline") + ", right for " +

@@ -51,9 +51,11 @@ struct Geodesic_inner_side
   double inner_area = 0;                ///< the area inside
   double outer_area = 0;                ///< the area outside, in the same part of the surface
   bool is_by_area = false;              ///< whether the areas decide, and not the border
+  bool has_border = false;              ///< whether both sides have border, such as that of holes, or the only side has
 
-  /// whether the areas decide, and the larger one exceeds the smaller one by at most a tenth.
-  bool is_doubtful() const { return is_by_area && 10 * (outer_area - inner_area) <= outer_area; }
+  /// whether the areas decide, and the larger one exceeds the smaller one by at most a tenth; or whether there is border inside,
+  /// which may be that of holes, or the outer one.
+  bool is_doubtful() const { return has_border || (is_by_area && 10 * (outer_area - inner_area) <= outer_area); }
 };
 
 } // namespace CGAL

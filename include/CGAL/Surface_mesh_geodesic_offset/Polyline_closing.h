@@ -34,10 +34,9 @@ need.
 
 \tparam PointRange a model of `ConstRange` with 3D points as values
 \param points the points
-\param gap a length: the polyline is also closed if its ends are not farther apart than this
 */
 template <class PointRange>
-Polyline_closing polyline_closing(const PointRange& points, double gap = 0)
+Polyline_closing polyline_closing(const PointRange& points)
 {
   constexpr double closed = 1e-9, nearly_closed = 1e-4; // of the length
   typedef std::array<double, 3> Coordinates;
@@ -56,7 +55,7 @@ Polyline_closing polyline_closing(const PointRange& points, double gap = 0)
   }
   if (number <= 3) return Polyline_closing::OPEN;
   const double between = distance(first, last);
-  if (between <= (std::max)(gap, closed * length)) return Polyline_closing::CLOSED;
+  if (between <= closed * length) return Polyline_closing::CLOSED;
   return between <= nearly_closed * length ? Polyline_closing::NEARLY_CLOSED : Polyline_closing::OPEN;
 }
 

@@ -417,6 +417,7 @@ Geodesic_inner_side Inner_sides<FT>::side_of(const Contour& contour)
   if (inner < 0) inner = only(!(borders[0] > strip), !(borders[1] > strip));
   result.is_by_area = inner < 0;
   if (inner < 0) inner = areas[1] < areas[0] ? 1 : 0;
+  result.has_border = borders[inner] > strip;
   result.side = inner == 0 ? Source_side::LEFT : Source_side::RIGHT;
   result.inner_area = areas[inner];
   result.outer_area = areas[1 - inner];

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <map>
 #include <utility>
 #include <vector>
@@ -47,27 +48,58 @@ public:
     }
   }
 
-  // Calls out(closed, pieces) for each maximal part of a curve in the selection that is longer than `shortest`.
+  // Calls out(closed, pieces) for each maximal part of a curve in the selection that is longer than `shortest`. Parts on the other
+  // side that are not longer do not divide a curve.
   template <class FT, class Function>
   void operator()(const FT& shortest, bool closed, std::vector<Level_piece<FT>>&& pieces, const Function& out) const
   {
-    const auto is_wanted = [&](const Level_piece<FT>& p) { return (*this)(p.source_ref); };
-    if (m_selection.is_everything() || std::all_of(pieces.begin(), pieces.end(), is_wanted))
+    if (m_selection.is_everything()) return out(closed, std::move(pieces));
+    std::vector<char> is_wanted;
+    for (const Level_piece<FT>& p : pieces) is_wanted.push_back((*this)(p.source_ref));
+    const auto find = [&](std::size_t i, bool wanted) {
+      return std::size_t(std::find(is_wanted.begin() + i, is_wanted.end(), char(wanted)) - is_wanted.begin());
+    };
+    const std::size_t n = pieces.size(), start = find(0, true);
+    if (start == n) return;
+    if (find(0, false) == n) return out(closed, std::move(pieces));
+    if (closed)
+    { // starts with a piece of the selection
+      std::rotate(pieces.begin(), pieces.begin() + start, pieces.end());
+      std::rotate(is_wanted.begin(), is_wanted.begin() + start, is_wanted.end());
+    }
+    const auto is_longer = [&](std::size_t first, std::size_t last) {
+      FT sum(0);
+      for (; first < last; ++first) sum += length(pieces[first].end - pieces[first].start);
+      return sum > shortest;
+    };
+    const auto has_sides = [&](std::size_t first, std::size_t last) {
+      return std::all_of(pieces.begin() + first, pieces.begin() + last,
+                         [](const Level_piece<FT>& p) { return p.source_ref.side() != Source_side::CAP; });
+    };
+    std::size_t divided = n; // the last piece that divides
+    for (std::size_t first = find(0, false), last; first < n; first = find(last, false))
     {
-      out(closed, std::move(pieces));
+      last = find(first, true);
+      if ((closed || (first > 0 && last < n)) && has_sides(first, last) && !is_longer(first, last))
+        std::fill(is_wanted.begin() + first, is_wanted.begin() + last, char(true));
+      else divided = last - 1;
+    }
+    if (divided == n)
+    {
+      if (closed || is_longer(0, n)) out(closed, std::move(pieces));
       return;
     }
-    // A closed curve starts behind a piece outside the selection.
-    if (closed) std::rotate(pieces.begin(), std::find_if_not(pieces.begin(), pieces.end(), is_wanted), pieces.end());
-    for (auto first = pieces.begin(); first != pieces.end();)
+    if (closed)
+    { // starts behind a piece outside the selection
+      std::rotate(pieces.begin(), pieces.begin() + divided, pieces.end());
+      std::rotate(is_wanted.begin(), is_wanted.begin() + divided, is_wanted.end());
+    }
+    for (std::size_t first = find(0, true), last; first < n; first = find(last, true))
     {
-      first = std::find_if(first, pieces.end(), is_wanted);
-      const auto last = std::find_if_not(first, pieces.end(), is_wanted);
-      std::vector<Level_piece<FT>> part(first, last);
-      FT sum(0);
-      for (const Level_piece<FT>& p : part) sum += length(p.end - p.start);
-      if (sum > shortest) out(false, std::move(part));
-      first = last;
+      last = find(first, false);
+      if (is_longer(first, last))
+        out(false, std::vector<Level_piece<FT>>(std::make_move_iterator(pieces.begin() + first),
+                                                std::make_move_iterator(pieces.begin() + last)));
     }
   }
 
