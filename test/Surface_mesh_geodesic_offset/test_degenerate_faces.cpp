@@ -12,6 +12,7 @@
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel_with_sqrt.h>
+#include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh_geodesic_offset/remove_degenerate_faces_in_polygon_soup.h>
 
@@ -253,6 +254,44 @@ void known_files()
         3, 1);
 }
 
+// Polygons far from planar, whose projections are simple only up to rounding, in all rotations; and a planar one of many corners.
+void polygons()
+{
+  const std::string points[] = {"v 1 0 0\nv 1 2 0\nv 0 0 0\nv 2 0 0\nv 1 1 1\n", "v 2 1 1\nv 1 0 1\nv 2 1 0\nv 1 1 1\nv 0 2 1\n"};
+  const int corners[] = {2, 3, 5, 4, 1};
+  for (const std::string& vertices : points)
+    for (int first = 0; first < 10; ++first)
+    {
+      std::ostringstream file;
+      file << vertices << 'f';
+      for (int k = 0; k < 5; ++k) file << ' ' << corners[(first + (first < 5 ? k : 5 - k)) % 5];
+      const geodesic_offset::Mesh_input input = read("file.obj", file.str() + "\n");
+      CHECK(input.mesh().number_of_faces() == 3 && CGAL::is_triangle_mesh(input.mesh()));
+    }
+  for (const int n : {4, 5, 7, 40, 299, 300, 301, 500})
+  {
+    std::ostringstream file; // a comb: every second corner is nearer to the center
+    for (int i = 0; i < n; ++i)
+    {
+      const double angle = 2 * CGAL_PI * i / n, r = i % 2 == 0 ? 1 : 0.7;
+      file << "v " << r * std::cos(angle) << ' ' << r * std::sin(angle) << " 1\n";
+    }
+    file << 'f';
+    for (int i = 1; i <= n; ++i) file << ' ' << i;
+    const geodesic_offset::Mesh_input input = read("file.obj", file.str() + "\n");
+    CHECK(input.mesh().number_of_faces() == std::size_t(n - 2) && CGAL::is_triangle_mesh(input.mesh()));
+    double area = 0, expected = 0;
+    for (auto f : input.mesh().faces()) area += CGAL::to_double(CGAL::Polygon_mesh_processing::face_area(f, input.mesh()));
+    const auto& p = input.soup().points;
+    for (std::size_t i = 0; i < p.size(); ++i)
+    {
+      const auto& q = p[(i + 1) % p.size()];
+      expected += (p[i].x() * q.y() - p[i].y() * q.x()) / 2;
+    }
+    CHECK_DETAIL(std::abs(area - expected) <= 1e-12, std::to_string(n));
+  }
+}
+
 // Two rows of triangles whose borders differ by `gap`.
 std::string open_seam(double gap, std::size_t n)
 {
@@ -295,6 +334,11 @@ void open_borders()
     if (gap > 1e-14) CHECK(parts({true, gap / 2}) == 2);
     CHECK(parts({true, 0.01}) == 1);
   }
+  // points that an edge connects stay apart: a strip narrower than the tolerance keeps its faces
+  const geodesic_offset::Mesh_input strip =
+    read("file.off", "OFF\n6 4 0\n0 0 0\n1 0 0\n2 0 0\n0 1e-3 0\n1 1e-3 0\n2 1e-3 0\n3 0 1 4\n3 0 4 3\n3 1 2 5\n3 1 5 4\n",
+         {true, 0.02});
+  CHECK(strip.mesh().number_of_faces() == 4 && strip.remarks().empty());
   // edges shorter than the tolerance have no place of their own
   CHECK(read("file.off", open_seam(0, 3000), {true, 2}).parts().number() == 2);
   try
@@ -352,6 +396,7 @@ GEODESIC_OFFSET_TEST(test_degenerate_faces)
     {"limits", limits},
     {"random triples", random_triples},
     {"known files", known_files},
+    {"polygons", polygons},
     {"open borders", open_borders},
     {"search", search},
     {data_case, data_meshes}};

@@ -307,7 +307,6 @@ void closing(const Planar_mesh& plane)
     for (const Point_2& p : square) points.push_back(Point_3(p.x(), p.y(), 0));
     const bool closed = expected == CGAL::Polyline_closing::CLOSED;
     CHECK(CGAL::polyline_closing(points) == expected);
-    CHECK(CGAL::polyline_closing(points, 1.01 * gap * length) == CGAL::Polyline_closing::CLOSED);
     Geodesic geodesic(plane.data.mesh);
     CHECK(geodesic.locate_polyline(points).is_closed == closed);
     CHECK(geodesic.locate_polyline(points).locations ==

@@ -5,7 +5,7 @@
 import math
 import subprocess
 
-from program_bench import HORIZONTAL, chain_length, check, check_close, polyline_text, run_test, write_off
+from program_bench import HORIZONTAL, chain_length, check, check_close, polyline_text, run_test, write_grid, write_off
 
 
 def rectangle(a, b, c, d, z=0.3):
@@ -61,6 +61,46 @@ def test_pocket(bench):
         check_close(stats["curves"][0]["length"], 4 * (10 - 2 * e) - 8 * 0.01, 1e-9, "inside")
 
 
+def test_holes(bench):
+    """Border on both sides, or around the only side: the inner side is said to be in doubt."""
+    holed = bench.path("holed.off")
+    points = [(i, j, 0.3) for j in range(13) for i in range(13)]
+    cells = [13 * j + i for j in range(12) for i in range(12) if (i, j) != (5, 5)]
+    write_off(holed, points, [f for a in cells for f in ((a, a + 1, a + 14), (a, a + 14, a + 13))])
+    pocket = write_curves(bench, "pocket.polylines.txt", rectangle(1, 1, 11, 10))
+    stats = bench.run(holed, "--source-polyline", pocket, "--distance", 0.25, "--side", "inside",
+                      warning="both sides have border of the surface")
+    check_close(stats["insides"][0]["area"], 54, 1e-9, "the smaller area")
+    hole = write_curves(bench, "hole.polylines.txt", rectangle(5, 5, 6, 6))
+    bench.run(holed, "--source-polyline", hole, "--distance", 0.25, "--side", "inside", warning="there is another one on its only side")
+    outline = write_curves(bench, "outline.polylines.txt", rectangle(0, 0, 12, 12))
+    stats = bench.run(bench.grid(HORIZONTAL), "--source-polyline", outline, "--distance", 0.25, "--side", "inside")
+    check_close(stats["curves"][0]["length"], 46, 1e-9, "along the only border")
+
+
+def test_digits(bench):
+    """Curves through vertices of the mesh, written with some digits: one closed curve on each side, all of the length of both."""
+    mesh = bench.path("grid.off")
+    for embed in (HORIZONTAL.space, lambda p: (p[0], p[1], 0.3 * math.sin(p[0]) * math.cos(0.7 * p[1]))):
+        write_grid(mesh, embed)
+        with open(mesh) as file:
+            points = [line.split() for line in file.read().splitlines()[2:171]]
+        ring = [(i, 2) for i in range(2, 10)] + [(10, j) for j in range(2, 10)]
+        ring += [(12 - i, 12 - j) for i, j in ring]
+        for digits in range(7, 15):
+            curve = bench.path("ring.polylines.txt")
+            with open(curve, "w") as out:
+                rounded = ["%.*g" % (digits, float(x)) for i, j in ring + ring[:1] for x in points[13 * j + i]]
+                out.write("%d %s\n" % (len(ring) + 1, " ".join(rounded)))
+            lengths = {}
+            for side in ("inside", "outside", "both"):
+                curves = bench.run(mesh, "--source-polyline", curve, "--distance", 0.25, "--side", side)["curves"][0]
+                number = 2 if side == "both" else 1
+                check(curves["number"] == curves["closed"] == number, "%d digits, %s: %s" % (digits, side, curves))
+                lengths[side] = curves["length"]
+            check_close(lengths["inside"] + lengths["outside"], lengths["both"], 1e-5, "both sides")
+
+
 def test_ends(bench):
     mesh = bench.grid(HORIZONTAL)
     curve = write_curves(bench, "open.polylines.txt", [(3, 5, 0.3), (8, 5, 0.3)])
@@ -73,8 +113,17 @@ def test_ends(bench):
 
 
 def test_closing(bench):
-    """The table of the manual."""
+    """The table of the manual, and --close-gap."""
     mesh = bench.grid(HORIZONTAL)
+    for points, length, area in ((rectangle(1, 1, 9, 6)[:4], 26, 40), (rectangle(1, 1, 9, 6)[:3], 13 + math.sqrt(89), 20)):
+        curve = write_curves(bench, "curve.polylines.txt", points)
+        arguments = mesh, "--source-polyline", curve, "--distance", 0.25
+        stats = bench.run(*arguments, "--side", "inside", "--close-gap", 10)
+        check_close(stats["insides"][0]["area"], area, 1e-9, "closed by a segment")
+        stats = bench.run(*arguments, "--side", "outside", "--close-gap", 10)
+        check_close(stats["curves"][0]["length"], length + 0.5 * math.pi, 1e-9, "outside")
+        check("closed by a segment of length" in run(bench, *arguments, "--close-gap", 10).stdout, "closed by a segment")
+        check("insides" not in bench.run(*arguments, "--close-gap", 4.9), "open")
     is_closed = {0: True, 1e-16: True, 1e-12: True, 1e-10: True, 0.99e-9: True, 1.01e-9: False, 1e-6: False, 0.99e-4: False,
                  1.01e-4: False, 1e-3: False}
     for part, closed in is_closed.items():
@@ -129,6 +178,10 @@ def test_skins(bench):
         stats = bench.run(*arguments, "--project", direction)
         check_close(stats["curves"][0]["length"], 12 + math.pi, 1e-3, "in a thin shell, along " + direction)
         check(len({p[2] for p in read_curves(placed)[0]}) == 1, "points on both skins")
+    # near the rim, where the ways around it are short
+    near_rim = write_curves(bench, "near_rim.polylines.txt",
+                            [(x, 0.5, 0.055 if x % 2 == 0 else 0.045) for x in range(2, 9)])
+    bench.run(shell, "--source-polyline", near_rim, "--distance", 0.05, warning="to the next one the path on the surface has length")
     # one skin for each polyline, the nearer one
     both = write_curves(bench, "both.polylines.txt", [(2, 3, 0.2), (8, 3, 0.2)], [(2, 7, -0.2), (8, 7, -0.2)])
     bench.run(shell, "--source-polyline", both, "--distance", 0.5, "--source-output", placed, "--project", "0,0,1")
@@ -144,4 +197,4 @@ def test_skins(bench):
 
 
 if __name__ == "__main__":
-    run_test(pocket=test_pocket, ends=test_ends, closing=test_closing, skins=test_skins)
+    run_test(pocket=test_pocket, holes=test_holes, digits=test_digits, ends=test_ends, closing=test_closing, skins=test_skins)

@@ -113,13 +113,15 @@ bool have_opposite_normals(const Mesh& mesh, Face f, Face g)
 } // namespace
 
 Face_location put_on_surface(const Geodesic_mesh& mesh, const Point& point, const Source_options& options, Moved_points& moved,
-                             const std::function<std::string()>& name)
+                             const std::function<std::string()>& name, double snapping)
 {
   // squares of lengths must be within the range of double
   if(!std::isfinite((point - CGAL::ORIGIN).squared_length())) throw Input_error(name() + " is too far away from the surface");
   if(!options.projection)
   {
-    const std::pair<Face_location, double> located = mesh.locate_with_distance(point);
+    const std::pair<Face_location, double> located =
+      snapping > 0 ? mesh.locate_with_distance(point, CGAL::parameters::snapping_tolerance(snapping))
+                   : mesh.locate_with_distance(point);
     moved.add(located.second, name);
     return located.first;
   }
@@ -130,11 +132,12 @@ Face_location put_on_surface(const Geodesic_mesh& mesh, const Point& point, cons
 
 std::vector<Face_location> put_on_surface(const Geodesic_mesh& mesh, const std::vector<Point>& points,
                                           const Source_options& options, Moved_points& moved,
-                                          const std::function<std::string(std::size_t)>& name)
+                                          const std::function<std::string(std::size_t)>& name, double snapping)
 {
   std::vector<Face_location> result;
   for(std::size_t i = 0; i < points.size(); ++i)
-    result.push_back(put_on_surface(mesh, points[i], options, moved, [&] { return name(i); }));
+    result.push_back(put_on_surface(
+      mesh, points[i], options, moved, [&] { return name(i); }, snapping));
   if(!options.projection) return result;
   std::vector<std::array<std::optional<Hit>, 2>> nearest; // of each side, by point
   double sum[2] = {0, 0};
@@ -182,6 +185,13 @@ Sources::Sources(const Mesh_input& input, const Source_options& options, const G
     m_points.push_back(put_on_surface(geodesic, Point(p[0], p[1], p[2]), options, m_moved, [&] {
       return "--source-point " + short_number(p[0]) + ',' + short_number(p[1]) + ',' + short_number(p[2]);
     }));
+  if(!options.source_polylines.empty())
+  {
+    double sum = 0;
+    for(Edge e : m_mesh.edges())
+      sum += std::sqrt(CGAL::squared_distance(m_mesh.point(m_mesh.vertex(e, 0)), m_mesh.point(m_mesh.vertex(e, 1))));
+    m_snapping = sum / static_cast<double>(m_mesh.number_of_edges()) / (1 << 26);
+  }
   for(std::size_t i = 0; i < options.source_polylines.size(); ++i)
     for(const File_polyline& polyline : read_polylines(options.source_polylines[i]))
       add_polyline(polyline, options.source_polylines[i],
@@ -248,8 +258,8 @@ void Sources::add_polyline(const File_polyline& from, const std::string& file, c
                          short_number(gap * (1 + 1e-5)) /* not less after rounding to 6 digits */ + " closes it");
   std::vector<Point> points = from.points;
   if(repeats_first) points.pop_back();
-  std::vector<Face_location> located =
-    put_on_surface(m_geodesic, points, options, m_moved, [&](std::size_t i) { return line + ": " + name(i); });
+  std::vector<Face_location> located = put_on_surface(
+    m_geodesic, points, options, m_moved, [&](std::size_t i) { return line + ": " + name(i); }, m_snapping);
   if(polyline.is_closed)
   {
     points.push_back(points.front());

@@ -115,16 +115,16 @@ private:
   double distance(std::size_t i) const { return std::sqrt(CGAL::squared_distance(m_points[i], m_points[i + 1])); }
 };
 
-// Nearest point of the surface, or that along the projection of the options. name(): name of the point for messages. Throws
+// Nearest point of the surface, on vertices and edges up to a snapping distance, or that along the projection of the options. name(): name of the point for messages. Throws
 // Input_error.
 Face_location put_on_surface(const Geodesic_mesh& mesh, const Point& point, const Source_options& options, Moved_points& moved,
-                             const std::function<std::string()>& name);
+                             const std::function<std::string()>& name, double snapping = 0);
 
 // The points of a polyline, as above. With a projection all are put on faces whose normals lead to the same side of its direction, that
 // where they are nearer in all; points whose lines meet no such face are put where the surface is met first.
 std::vector<Face_location> put_on_surface(const Geodesic_mesh& mesh, const std::vector<Point>& points,
                                           const Source_options& options, Moved_points& moved,
-                                          const std::function<std::string(std::size_t)>& name);
+                                          const std::function<std::string(std::size_t)>& name, double snapping);
 
 // Vertices of the mesh at a vertex of the file, at least one. `option`: for messages. Throws Input_error.
 std::vector<Vertex> vertices_at(const Mesh_input& input, std::size_t i, const std::string& option,
@@ -147,6 +147,10 @@ class Sources
   std::vector<std::string> m_warnings;
   std::vector<double> m_start_values; // of all sources
   Moved_points m_moved;
+  // A point in a file whose digits mean a vertex or an edge is there; beside it, a segment of the curve as short as the rounding of the
+  // digits would have an arbitrary direction. 2^-26 of the mean edge, about that of eight digits, where the manual bounds the arcs
+  // with an arbitrary side by what does not divide a curve.
+  double m_snapping = 0;
 
 public:
   Sources(const Mesh_input& input, const Source_options& options, const Geodesic_mesh& geodesic);

@@ -65,10 +65,11 @@ struct Offset_tolerances
   // of the rise is up to three times the rise (in a triangle, height and radius of the inscribed circle).
   static FT shallow_rise(const FT& magnitude) { return unit(12) * magnitude; }
 
-  // Parts up to this length do not count when a selection by sides divides curves: 2^-20 of the level and the mean edge. They
+  // Parts up to this length do not count when a selection by sides divides curves: 2^-17 of the level and the mean edge, about
+  // as border_strip(). They
   // come from segments as short as the rounding of coordinates with 8 or more digits, behind which the side of an arc is that of
-  // rounding. Binding test: test_offset_sides, vertices with some digits.
-  static FT shortest_part(const FT& magnitude) { return FT(1. / (1 << 20)) * magnitude; }
+  // rounding. Binding test: test_program_sides, digits.
+  static FT shortest_part(const FT& magnitude) { return FT(1. / (1 << 17)) * magnitude; }
 
   // The windows of small faces may come from a large face farther away, where coordinates had this rounding: 2^5 u times the
   // longest edge of the mesh, as for the error below. A cell up to this diameter whose gates no arcs connect is not divided.
