@@ -257,7 +257,8 @@ void known_files()
 // Polygons far from planar, whose projections are simple only up to rounding, in all rotations; and a planar one of many corners.
 void polygons()
 {
-  const std::string points[] = {"v 1 0 0\nv 1 2 0\nv 0 0 0\nv 2 0 0\nv 1 1 1\n", "v 2 1 1\nv 1 0 1\nv 2 1 0\nv 1 1 1\nv 0 2 1\n"};
+  const std::string points[] = {"v 1 0 0\nv 1 2 0\nv 0 0 0\nv 2 0 0\nv 1 1 1\n",
+                                "v 2 1 1\nv 1 0 1\nv 2 1 0\nv 1 1 1\nv 0 2 1\n"};
   const int corners[] = {2, 3, 5, 4, 1};
   for (const std::string& vertices : points)
     for (int first = 0; first < 10; ++first)
