@@ -12,6 +12,7 @@
 #include <CGAL/Polygon_2_algorithms.h>
 #include <CGAL/Projection_traits_3.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -49,8 +50,9 @@ inline bool is_simple(const Polygon& polygon, const std::vector<Point>& points)
 // Corners of polygons that are divided as below: the time is cubic in their number, about a second.
 constexpr std::size_t largest_divided_polygon = 300;
 
-// The triangulation of a polygon with the smallest area; of those with the same area up to rounding, that with the smallest sum of
-// squared lengths of edges. The parts that a polygon covers twice, such as spikes, become triangles without area.
+// The triangulation of a polygon with the smallest area; of those with the same area up to rounding, that whose triangles are least
+// thin: the sum of their reciprocal areas, times the fourth power of the lengths of their sides, is smallest. The parts that a polygon
+// covers twice, such as spikes, become triangles without area.
 class Polygon_division
 {
   std::size_t m_n;
@@ -60,21 +62,24 @@ public:
   // Precondition: 3 <= p.size() <= largest_divided_polygon
   explicit Polygon_division(const std::vector<Point>& p) : m_n(p.size()), m_third(m_n * m_n, 0)
   {
-    std::vector<double> area(m_n * m_n, 0), squares(m_n * m_n, 0);
+    std::vector<double> area(m_n * m_n, 0), thinness(m_n * m_n, 0);
     for(std::size_t j = 2; j < m_n; ++j)
       for(std::size_t i = j - 1; i-- > 0;)
       {
-        double &least = area[i * m_n + j], &least_squares = squares[i * m_n + j];
+        double &least = area[i * m_n + j], &least_thinness = thinness[i * m_n + j];
         least = infinity;
         for(std::size_t k = i + 1; k < j; ++k)
         {
           const double triangle = std::sqrt(internal::area_vector(p[i], p[k], p[j]).squared_length());
           const double sum = area[i * m_n + k] + area[k * m_n + j] + triangle;
-          const double sum_of_squares = squares[i * m_n + k] + squares[k * m_n + j] + CGAL::squared_distance(p[i], p[j]);
+          const double squares =
+            CGAL::squared_distance(p[i], p[j]) + CGAL::squared_distance(p[i], p[k]) + CGAL::squared_distance(p[k], p[j]);
+          const double sum_of_thinness =
+            thinness[i * m_n + k] + thinness[k * m_n + j] + squares * std::min(squares / triangle, most_thin);
           const bool is_same = std::abs(sum - least) <= rounding * sum;
-          if(is_same ? !(sum_of_squares < least_squares) : !(sum < least)) continue;
+          if(is_same ? !(sum_of_thinness < least_thinness) : !(sum < least)) continue;
           least = sum;
-          least_squares = sum_of_squares;
+          least_thinness = sum_of_thinness;
           m_third[i * m_n + j] = k;
         }
       }
@@ -85,6 +90,7 @@ public:
 
 private:
   static constexpr double rounding = 1e-12; // of areas, well above that of the sums
+  static constexpr double most_thin = 1e60; // instead of infinity, so that the number of triangles without area counts
 };
 
 // As above; a fan if the polygon is larger.

@@ -48,9 +48,10 @@ public:
   {
     std::vector<Level_curve<FT>> curves;
     const FT shortest = Offset_tolerances<FT>::shortest_part(m_levels[level] + m_edge);
+    const FT rounded = Offset_tolerances<FT>::part_of_rounded_side(m_levels[level]);
     cut.for_each_curve([&](bool closed, std::vector<Level_piece<FT>>&& pieces) {
       if (m_is_shallow(closed, pieces, m_levels[level])) return;
-      m_select(shortest, closed, std::move(pieces), [&](bool is_closed, std::vector<Level_piece<FT>>&& part) {
+      m_select(shortest, rounded, closed, std::move(pieces), [&](bool is_closed, std::vector<Level_piece<FT>>&& part) {
         curves.push_back({is_closed, std::move(part)});
       });
     });

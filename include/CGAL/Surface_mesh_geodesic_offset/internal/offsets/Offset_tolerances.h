@@ -65,11 +65,13 @@ struct Offset_tolerances
   // of the rise is up to three times the rise (in a triangle, height and radius of the inscribed circle).
   static FT shallow_rise(const FT& magnitude) { return unit(12) * magnitude; }
 
-  // Parts up to this length do not count when a selection by sides divides curves: 2^-17 of the level and the mean edge, about
-  // as border_strip(). They
-  // come from segments as short as the rounding of coordinates with 8 or more digits, behind which the side of an arc is that of
-  // rounding. Binding test: test_program_sides, digits.
-  static FT shortest_part(const FT& magnitude) { return FT(1. / (1 << 17)) * magnitude; }
+  // Rounding leaves parts up to this length when a selection by sides divides curves: the smallest cell of a face as large as
+  // the mean edge.
+  static FT shortest_part(const FT& magnitude) { return unit(14) * magnitude; }
+
+  // A part of a curve up to this length has the side of the parts around it: 2^-17 of the level. Behind segments as short as the
+  // rounding of coordinates with eight digits, the side of an arc is that of rounding. Binding test: test_program_sides, digits.
+  static FT part_of_rounded_side(const FT& level) { return FT(1. / (1 << 17)) * level; }
 
   // The windows of small faces may come from a large face farther away, where coordinates had this rounding: 2^5 u times the
   // longest edge of the mesh, as for the error below. A cell up to this diameter whose gates no arcs connect is not divided.

@@ -48,56 +48,51 @@ public:
     }
   }
 
-  // Calls out(closed, pieces) for each maximal part of a curve in the selection that is longer than `shortest`. Parts on the other
-  // side that are not longer do not divide a curve.
+  // Calls out(closed, pieces) for each maximal part of a curve in the selection that is longer than `shortest`. Between parts of the
+  // other kind, a part of a side of a polyline that is not longer than `rounded` belongs to them.
   template <class FT, class Function>
-  void operator()(const FT& shortest, bool closed, std::vector<Level_piece<FT>>&& pieces, const Function& out) const
+  void operator()(const FT& shortest, const FT& rounded, bool closed, std::vector<Level_piece<FT>>&& pieces,
+                  const Function& out) const
   {
     if (m_selection.is_everything()) return out(closed, std::move(pieces));
     std::vector<char> is_wanted;
     for (const Level_piece<FT>& p : pieces) is_wanted.push_back((*this)(p.source_ref));
-    const auto find = [&](std::size_t i, bool wanted) {
-      return std::size_t(std::find(is_wanted.begin() + i, is_wanted.end(), char(wanted)) - is_wanted.begin());
+    const std::size_t n = pieces.size();
+    const auto end_of = [&](std::size_t i) { // of the part that begins at i
+      return std::size_t(std::find(is_wanted.begin() + i, is_wanted.end(), char(!is_wanted[i])) - is_wanted.begin());
     };
-    const std::size_t n = pieces.size(), start = find(0, true);
-    if (start == n) return;
-    if (find(0, false) == n) return out(closed, std::move(pieces));
-    if (closed)
-    { // starts with a piece of the selection
+    // A closed curve starts at a change.
+    const auto rotate = [&] {
+      const std::size_t start = closed ? end_of(0) : n;
+      if (start == n) return;
       std::rotate(pieces.begin(), pieces.begin() + start, pieces.end());
       std::rotate(is_wanted.begin(), is_wanted.begin() + start, is_wanted.end());
-    }
-    const auto is_longer = [&](std::size_t first, std::size_t last) {
+    };
+    const auto is_longer = [&](std::size_t first, std::size_t last, const FT& than) {
       FT sum(0);
       for (; first < last; ++first) sum += length(pieces[first].end - pieces[first].start);
-      return sum > shortest;
+      return sum > than;
     };
-    const auto has_sides = [&](std::size_t first, std::size_t last) {
-      return std::all_of(pieces.begin() + first, pieces.begin() + last,
-                         [](const Level_piece<FT>& p) { return p.source_ref.side() != Source_side::CAP; });
+    const auto has_side = [](const Level_piece<FT>& p) {
+      return p.source_ref.side() == Source_side::LEFT || p.source_ref.side() == Source_side::RIGHT;
     };
-    std::size_t divided = n; // the last piece that divides
-    for (std::size_t first = find(0, false), last; first < n; first = find(last, false))
+    rotate();
+    const bool is_long = is_longer(0, n, FT(4) * rounded); // small loops stay as they are
+    for (std::size_t first = 0, last; is_long && first < n; first = last)
     {
-      last = find(first, true);
-      if ((closed || (first > 0 && last < n)) && has_sides(first, last) && !is_longer(first, last))
-        std::fill(is_wanted.begin() + first, is_wanted.begin() + last, char(true));
-      else divided = last - 1;
+      last = end_of(first);
+      const bool is_between = closed ? last - first < n : first > 0 && last < n;
+      if (is_between && std::all_of(pieces.begin() + first, pieces.begin() + last, has_side) &&
+          !is_longer(first, last, rounded))
+        std::fill(is_wanted.begin() + first, is_wanted.begin() + last, char(!is_wanted[first]));
     }
-    if (divided == n)
+    rotate();
+    for (std::size_t first = 0, last; first < n; first = last)
     {
-      if (closed || is_longer(0, n)) out(closed, std::move(pieces));
-      return;
-    }
-    if (closed)
-    { // starts behind a piece outside the selection
-      std::rotate(pieces.begin(), pieces.begin() + divided, pieces.end());
-      std::rotate(is_wanted.begin(), is_wanted.begin() + divided, is_wanted.end());
-    }
-    for (std::size_t first = find(0, true), last; first < n; first = find(last, true))
-    {
-      last = find(first, false);
-      if (is_longer(first, last))
+      last = end_of(first);
+      if (!is_wanted[first]) continue;
+      if (last - first == n) return out(closed, std::move(pieces));
+      if (is_longer(first, last, shortest))
         out(false, std::vector<Level_piece<FT>>(std::make_move_iterator(pieces.begin() + first),
                                                 std::make_move_iterator(pieces.begin() + last)));
     }
