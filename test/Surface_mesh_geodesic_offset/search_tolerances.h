@@ -119,6 +119,9 @@ struct Search_tolerances
   /// end displaced by one smallest cell, 2^8 cells.
   static constexpr double length = 0x1p-30;
 
+  /// Parts of a curve on one side up to this length may count to the other side, in levels.
+  static constexpr double part_of_rounded_side = 0x1p-17;
+
   /// If lengths differ by more, the level may be within rounding of an event: then the lengths of levels displaced by
   /// these, in scales, enclose both. Up to the shift of the level.
   static constexpr double level_steps[] = {0x1p-50, 0x1p-48, 0x1p-46, level_shift};
