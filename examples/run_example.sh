@@ -52,13 +52,13 @@ if command -v ninja >/dev/null 2>&1; then
   export CMAKE_GENERATOR=Ninja # of new build folders
 fi
 
-# a compiler takes up to 1.5 GB
+# a compiler takes up to 1.4 GB
 jobs=$(nproc 2>/dev/null || echo 1)
 [ "$jobs" -le 4 ] || jobs=4
 
 cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release
 if [ ! -x "$build/bin/geodesic_offset" ]; then
-  echo "Compiling the library and the program geodesic_offset, with up to $jobs compilers at a time: two to four minutes with two."
+  echo "Compiling the library and the program geodesic_offset, with up to $jobs compilers at a time: two to three minutes with two."
 fi
 cmake --build "$build" --target geodesic_offset generate_example_mesh -j "$jobs"
 
