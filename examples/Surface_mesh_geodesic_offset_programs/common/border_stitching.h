@@ -45,8 +45,8 @@ class Border_stitching
   double m_largest_gap = 0;
 
 public:
-  // edges: pairs of points; tolerance: the largest distance between points at the same place; has_edge: whether an edge connects two
-  // points, so that faces would vanish if they became one.
+  // edges: pairs of points; tolerance: the largest distance between points at the same place; has_edge(i, j) for i < j:
+  // whether an edge connects two points at different places, so that faces would vanish if they became one.
   Border_stitching(const std::vector<Point>& points, std::vector<Border_edge> edges, double tolerance,
                    std::function<bool(std::uint32_t, std::uint32_t)> has_edge)
     : m_points(points), m_tolerance(tolerance), m_has_edge(std::move(has_edge)), m_root(identity())

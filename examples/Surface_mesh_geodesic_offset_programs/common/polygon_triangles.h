@@ -50,9 +50,9 @@ inline bool is_simple(const Polygon& polygon, const std::vector<Point>& points)
 // Corners of polygons that are divided as below: the time is cubic in their number, about a second.
 constexpr std::size_t largest_divided_polygon = 300;
 
-// The triangulation of a polygon with the smallest area; of those with the same area up to rounding, that whose triangles are least
-// thin: the sum of their reciprocal areas, times the fourth power of the lengths of their sides, is smallest. The parts that a polygon
-// covers twice, such as spikes, become triangles without area.
+// The triangulation of a polygon with the smallest area; of those with the same area up to rounding, that whose triangles are
+// least thin: the sum of the squares of their sums of squared sides, divided by their areas, is smallest. The parts that a
+// polygon covers twice, such as spikes, become triangles without area.
 class Polygon_division
 {
   std::size_t m_n;
@@ -74,8 +74,8 @@ public:
           const double sum = area[i * m_n + k] + area[k * m_n + j] + triangle;
           const double squares =
             CGAL::squared_distance(p[i], p[j]) + CGAL::squared_distance(p[i], p[k]) + CGAL::squared_distance(p[k], p[j]);
-          const double sum_of_thinness =
-            thinness[i * m_n + k] + thinness[k * m_n + j] + squares * std::min(squares / triangle, most_thin);
+          const double sum_of_thinness = thinness[i * m_n + k] + thinness[k * m_n + j] +
+                                         squares * std::min(most_thin, squares / triangle); // also if that is 0 / 0
           const bool is_same = std::abs(sum - least) <= rounding * sum;
           if(is_same ? !(sum_of_thinness < least_thinness) : !(sum < least)) continue;
           least = sum;

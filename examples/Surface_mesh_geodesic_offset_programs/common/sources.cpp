@@ -190,7 +190,7 @@ Sources::Sources(const Mesh_input& input, const Source_options& options, const G
     double sum = 0;
     for(Edge e : m_mesh.edges())
       sum += std::sqrt(CGAL::squared_distance(m_mesh.point(m_mesh.vertex(e, 0)), m_mesh.point(m_mesh.vertex(e, 1))));
-    m_snapping = sum / static_cast<double>(m_mesh.number_of_edges()) / (1 << 26);
+    m_snapping = snapping_of_edge * sum / static_cast<double>(m_mesh.number_of_edges());
   }
   for(std::size_t i = 0; i < options.source_polylines.size(); ++i)
     for(const File_polyline& polyline : read_polylines(options.source_polylines[i]))

@@ -71,7 +71,8 @@ class Detours
 {
   // Times the distance in space. A path over an edge of 60 degrees is as long as this; one around a half circle is 1.57 times as long.
   static constexpr double factor = 2;
-  // The same if the normals at both ends are opposite, as on both sides of a thin part near its rim.
+  // The same if the normals at both ends are opposite, as on both sides of a thin part near its rim: more than a path on one
+  // side bends. Binding test: test_program_sides, skins.
   static constexpr double factor_across = 1.1;
   // Fraction of the length of the polyline: shorter detours are due to points that are nearly the same.
   static constexpr double least = 1e-4;
@@ -115,8 +116,8 @@ private:
   double distance(std::size_t i) const { return std::sqrt(CGAL::squared_distance(m_points[i], m_points[i + 1])); }
 };
 
-// Nearest point of the surface, on vertices and edges up to a snapping distance, or that along the projection of the options. name(): name of the point for messages. Throws
-// Input_error.
+// Nearest point of the surface, on vertices and edges up to a snapping distance (0: up to rounding), or that along the
+// projection of the options. name(): name of the point for messages. Throws Input_error.
 Face_location put_on_surface(const Geodesic_mesh& mesh, const Point& point, const Source_options& options, Moved_points& moved,
                              const std::function<std::string()>& name, double snapping = 0);
 
@@ -147,9 +148,10 @@ class Sources
   std::vector<std::string> m_warnings;
   std::vector<double> m_start_values; // of all sources
   Moved_points m_moved;
-  // A point in a file whose digits mean a vertex or an edge is there; beside it, a segment of the curve as short as the rounding of the
-  // digits would have an arbitrary direction. 2^-26 of the mean edge, about that of eight digits, where the manual bounds the arcs
-  // with an arbitrary side by what does not divide a curve.
+  // A point in a file whose digits mean a vertex or an edge is there: beside it, a segment of the curve as short as the
+  // rounding of the digits would have an arbitrary direction. In mean edges; about the rounding of eight digits, from which on
+  // arcs with an arbitrary side are too short to divide a curve. Binding test: test_program_sides, digits.
+  static constexpr double snapping_of_edge = 1. / (1 << 26);
   double m_snapping = 0;
 
 public:

@@ -8,7 +8,6 @@
 
 #include <CGAL/number_utils.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>

@@ -77,8 +77,8 @@ public:
       return p.source_ref.side() == Source_side::LEFT || p.source_ref.side() == Source_side::RIGHT;
     };
     rotate();
-    const bool is_long = is_longer(0, n, FT(4) * rounded); // small loops stay as they are
-    for (std::size_t first = 0, last; is_long && first < n; first = last)
+    const bool is_divided = end_of(0) < n && is_longer(0, n, FT(4) * rounded); // small loops stay as they are
+    for (std::size_t first = 0, last; is_divided && first < n; first = last)
     {
       last = end_of(first);
       const bool is_between = closed ? last - first < n : first > 0 && last < n;
