@@ -690,7 +690,7 @@ private:
     compare(
       soup, data, geodesic, queries, [&](std::size_t q) { return expected(in_plane(soup, queries[q])); },
       [&](std::size_t v) {
-      return expected({soup.points[v].x(), soup.points[v].y()});
+        return expected({soup.points[v].x(), soup.points[v].y()});
       },
       counts, seed);
   }

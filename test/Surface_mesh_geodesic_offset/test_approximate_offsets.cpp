@@ -238,21 +238,21 @@ void other_promises()
   g.build_with_offset_curves_by_distance(
     levels,
     [&](double, Curves&& found) {
-    for (const auto& c : found)
-    {
-      const auto on_border = [&](const Face_location& l) {
-        for (std::size_t k = 0; k < 3; ++k)
-        {
-          auto h = halfedge(l.first, data.mesh);
-          for (std::size_t i = 0; i < (k + 1) % 3; ++i) h = next(h, data.mesh);
-          if (l.second[k] <= 1e-12 && is_border(opposite(h, data.mesh), data.mesh)) return true;
-        }
-        return false;
-      };
-      open += std::size_t(!c.is_closed());
-      CHECK(c.is_closed() || (on_border(c.pieces().front().location(0)) && on_border(c.pieces().back().location(1))));
-    }
-    if (curves.empty()) curves = std::move(found);
+      for (const auto& c : found)
+      {
+        const auto on_border = [&](const Face_location& l) {
+          for (std::size_t k = 0; k < 3; ++k)
+          {
+            auto h = halfedge(l.first, data.mesh);
+            for (std::size_t i = 0; i < (k + 1) % 3; ++i) h = next(h, data.mesh);
+            if (l.second[k] <= 1e-12 && is_border(opposite(h, data.mesh), data.mesh)) return true;
+          }
+          return false;
+        };
+        open += std::size_t(!c.is_closed());
+        CHECK(c.is_closed() || (on_border(c.pieces().front().location(0)) && on_border(c.pieces().back().location(1))));
+      }
+      if (curves.empty()) curves = std::move(found);
     },
     parameters::relative_tolerance(1e-3));
   CHECK(open > 0 && !curves.empty());

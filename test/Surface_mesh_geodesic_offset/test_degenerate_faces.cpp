@@ -128,12 +128,12 @@ void limits()
   constexpr double unit = std::numeric_limits<double>::epsilon();
   const auto is_removed =
     [](std::vector<Point_3> points, std::vector<std::vector<std::size_t>> polygons = {{0, 1, 2}, {1, 0, 3}}) {
-    const CGAL::Polygon_soup_repair r = CGAL::remove_degenerate_faces_in_polygon_soup(points, polygons);
-    const std::size_t changes = r.merged_points + r.shortened_faces + r.flipped_faces + r.dropped_faces + r.collapsed_faces;
-    CHECK(r.point_indices.empty() == (changes == 0));
-    CHECK(r.polygon_indices.size() == (r.point_indices.empty() ? 0 : polygons.size()));
-    return !r.point_indices.empty();
-  };
+      const CGAL::Polygon_soup_repair r = CGAL::remove_degenerate_faces_in_polygon_soup(points, polygons);
+      const std::size_t changes = r.merged_points + r.shortened_faces + r.flipped_faces + r.dropped_faces + r.collapsed_faces;
+      CHECK(r.point_indices.empty() == (changes == 0));
+      CHECK(r.polygon_indices.size() == (r.point_indices.empty() ? 0 : polygons.size()));
+      return !r.point_indices.empty();
+    };
   const auto cap = [](double height, double shift) {
     return std::vector<Point_3>{Point_3(0, shift, 0), Point_3(1, shift, 0), Point_3(0.25, shift + height, 0),
                                 Point_3(0, -1, 0)};

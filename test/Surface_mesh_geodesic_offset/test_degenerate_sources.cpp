@@ -46,22 +46,21 @@ void sources_that_meet()
                   {1, 1, bar(distance(slanted[0], slanted[1]), d)});
       check_level("one polyline there and back", square.mesh, square.polylines({{{1, 2}, {3, 2}, {1, 2}}}), d,
                   {1, 1, bar(2, d)});
-      check_level(
-        "repeated points", square.mesh,
-        [&](Geodesic& g) {
-        std::vector<Face_location> locations;
-        for (const Face_location& l : square.plane.path(slanted, false).locations) locations.insert(locations.end(), 3, l);
-        g.add_source_polyline(locations);
-        },
-        d, {1, 1, bar(distance(slanted[0], slanted[1]), d)});
+      check_level("repeated points", square.mesh,
+                  [&](Geodesic& g) {
+                    std::vector<Face_location> locations;
+                    for (const Face_location& l : square.plane.path(slanted, false).locations)
+                      locations.insert(locations.end(), 3, l);
+                    g.add_source_polyline(locations);
+                  },
+                  d, {1, 1, bar(distance(slanted[0], slanted[1]), d)});
       check_level("a vertex twice", square.mesh, square.vertices({{2, 2}, {2, 2}}), d, {1, 1, 2 * pi * d});
-      check_level(
-        "points on a line", square.mesh,
-        [&](Geodesic& g) {
-        square.vertices({{2, 2}, {1, 2}})(g);
-        square.polylines({line})(g);
-        },
-        d, {1, 1, bar(2, d)});
+      check_level("points on a line", square.mesh,
+                  [&](Geodesic& g) {
+                    square.vertices({{2, 2}, {1, 2}})(g);
+                    square.polylines({line})(g);
+                  },
+                  d, {1, 1, bar(2, d)});
     }
     for (double d : {0.25, 0.5, 1., 1.5})
     {

@@ -662,29 +662,34 @@ void test_tolerance()
 
 GEODESIC_OFFSET_TEST(test_exact_kernel)
 {
-  const std::pair<const char*, std::function<void()>> tests[] =
-    {{"cube", [] { test_box(FT(1), FT(1), FT(1)); }},
-     {"box of integers", [] { test_box(FT(4), FT(3), FT(2)); }},
-     {"box of fractions", [] { test_box(FT(1), FT(3) / 4, FT(1) / 2); }},
-     {"box of roots", [] { test_box(root(FT(2)), FT(1), root(FT(3))); }},
-     {"tetrahedron", test_tetrahedron},
-     {"octahedron", test_octahedron},
-     {"prism over a rectangle",
-      [] {
-    test_prism({{{0, 0}}, {{3, 0}}, {{3, 4}}, {{0, 4}}}, FT(5));
-      }},
-     {"prism over a triangle",
-      [] {
-    test_prism({{{0, 0}}, {{2, 0}}, {{1, root(FT(3))}}}, FT(3));
-      }},
-                                                      {"prism over a square",
-                                                       [] {
-    test_prism({{{1, 0}}, {{0, 1}}, {{-1, 0}}, {{0, -1}}}, FT(2));
-                                                       }},
-    {"saddle", test_saddle}, {"L", test_l}, {"segments in a plane", test_segments_in_plane},
-    {"start values", test_start_values}, {"offsets", test_offsets}, {"points", test_points},
+  const std::pair<const char*, std::function<void()>> tests[] = {
+    {"cube", [] { test_box(FT(1), FT(1), FT(1)); }},
+    {"box of integers", [] { test_box(FT(4), FT(3), FT(2)); }},
+    {"box of fractions", [] { test_box(FT(1), FT(3) / 4, FT(1) / 2); }},
+    {"box of roots", [] { test_box(root(FT(2)), FT(1), root(FT(3))); }},
+    {"tetrahedron", test_tetrahedron},
+    {"octahedron", test_octahedron},
+    {"prism over a rectangle",
+     [] {
+       test_prism({{{0, 0}}, {{3, 0}}, {{3, 4}}, {{0, 4}}}, FT(5));
+     }},
+    {"prism over a triangle",
+     [] {
+       test_prism({{{0, 0}}, {{2, 0}}, {{1, root(FT(3))}}}, FT(3));
+     }},
+    {"prism over a square",
+     [] {
+       test_prism({{{1, 0}}, {{0, 1}}, {{-1, 0}}, {{0, -1}}}, FT(2));
+     }},
+    {"saddle", test_saddle},
+    {"L", test_l},
+    {"segments in a plane", test_segments_in_plane},
+    {"start values", test_start_values},
+    {"offsets", test_offsets},
+    {"points", test_points},
     {"coinciding sources", test_coinciding_sources},
     {"coinciding sources in general position", test_coinciding_sources_in_general_position},
-    {"derived traits", test_derived_traits}, {"tolerance", test_tolerance}};
+    {"derived traits", test_derived_traits},
+    {"tolerance", test_tolerance}};
   return run_tests("test_exact_kernel", tests);
 }

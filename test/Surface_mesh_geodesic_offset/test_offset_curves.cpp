@@ -229,8 +229,8 @@ void known_lengths()
         check_length(
           "two circles, seed " + std::to_string(seed), data.mesh,
           [&](Geodesic& g) {
-          g.add_source_point(a);
-          g.add_source_point(b);
+            g.add_source_point(a);
+            g.add_source_point(b);
           },
           level, ratio > 0.5 ? 1 : 2, ratio > 0.5 ? 1 : 2, 4 * level * (pi - lost));
     }
@@ -246,10 +246,10 @@ void known_lengths()
       check_length(
         "rectangle's boundary, seed " + std::to_string(seed), data.mesh,
         [&](Geodesic& g) {
-        std::vector<test::Surface_mesh::Edge_index> border;
-        for (auto e : edges(data.mesh))
-          if (data.mesh.is_border(e)) border.push_back(e);
-        g.add_source_edges(border);
+          std::vector<test::Surface_mesh::Edge_index> border;
+          for (auto e : edges(data.mesh))
+            if (data.mesh.is_border(e)) border.push_back(e);
+          g.add_source_edges(border);
         },
         level, 1, 1, 4 * (4 - 2 * level));
 
@@ -274,10 +274,10 @@ void known_lengths()
     check_length(
       "grid's left side", grid.mesh,
       [&](Geodesic& g) {
-      std::vector<test::Surface_mesh::Edge_index> side;
-      for (std::size_t j = 0; j < 16; ++j)
-        side.push_back(grid.mesh.edge(grid.mesh.halfedge(grid.vertices[17 * j], grid.vertices[17 * (j + 1)])));
-      g.add_source_edges(side);
+        std::vector<test::Surface_mesh::Edge_index> side;
+        for (std::size_t j = 0; j < 16; ++j)
+          side.push_back(grid.mesh.edge(grid.mesh.halfedge(grid.vertices[17 * j], grid.vertices[17 * (j + 1)])));
+        g.add_source_edges(side);
       },
       level, 1, 0, 16);
 
@@ -287,7 +287,8 @@ void known_lengths()
     check_length(
       "triangles' sides", triangle.mesh,
       [&](Geodesic& g) {
-      g.add_source_edges(std::vector<test::Surface_mesh::Edge_index>(edges(triangle.mesh).begin(), edges(triangle.mesh).end()));
+        g.add_source_edges(std::vector<test::Surface_mesh::Edge_index>(edges(triangle.mesh).begin(),
+                                                                       edges(triangle.mesh).end()));
       },
       level, 2, 2, 2 * 12 * (1 - level), 2 * 12);
 }
@@ -316,11 +317,11 @@ void nearly_along_an_edge()
         const Data data(rotated(soup, unsigned(i + 1)));
         run(std::string(is_point ? "point" : "edge") + " and edge along paths, " + std::to_string(tilt), data.mesh,
             [&](Geodesic& g) {
-          if (is_point) g.add_source_point(Face_location(data.faces[0], {{0.25 + 0.5 * tilt, 0.5, 0.25 - 0.5 * tilt}}));
-          else
-            g.add_source_edges(std::vector<test::Surface_mesh::Edge_index>(
-              1, data.mesh.edge(data.mesh.halfedge(data.vertices[0], data.vertices[1]))));
-        });
+              if (is_point) g.add_source_point(Face_location(data.faces[0], {{0.25 + 0.5 * tilt, 0.5, 0.25 - 0.5 * tilt}}));
+              else
+                g.add_source_edges(std::vector<test::Surface_mesh::Edge_index>(
+                  1, data.mesh.edge(data.mesh.halfedge(data.vertices[0], data.vertices[1]))));
+            });
       }
 }
 

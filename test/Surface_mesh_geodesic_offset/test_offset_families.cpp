@@ -356,11 +356,10 @@ void streaming()
   geodesic.clear_sources();
   geodesic.add_source_point(right);
   count = 0;
-  CHECK_THROWS(geodesic.build_with_offset_curves_by_distance(
-                 Levels::equally_spaced(20),
-                 [](double d, std::vector<Counted::Offset_curve>&&) {
-    if (d > 50) throw Enough();
-                 }),
+  CHECK_THROWS(geodesic.build_with_offset_curves_by_distance(Levels::equally_spaced(20),
+                                                             [](double d, std::vector<Counted::Offset_curve>&&) {
+                                                               if (d > 50) throw Enough();
+                                                             }),
                Enough);
   CHECK_DETAIL(count < all / 4,
                std::to_string(count) + " of " + std::to_string(all)); // it stopped at 60
@@ -410,9 +409,9 @@ void long_faces()
   count = 0;
   geodesic.build_with_offset_curves_by_distance(Levels::equally_spaced(spacing, 1900),
                                                 [&](double d, std::vector<Counted::Offset_curve>&& curves) {
-    CHECK(!curves.empty());
-    calls.push_back({d, count});
-  });
+                                                  CHECK(!curves.empty());
+                                                  calls.push_back({d, count});
+                                                });
   CHECK(count == all && calls.size() == 1900);
   // A fourth as many pieces as the mesh has faces may wait, and each level has six pieces or more.
   const double longest_wait = spacing * double(num_faces(fan.mesh)) / 4 / 6;
@@ -486,10 +485,10 @@ void faces_finalized_together()
   Report::instance().set_context("faces that are finalized together");
   const auto run =
     [&](const std::string& name, const Soup& soup, const std::function<void(Geodesic&)>& add_source, double length) {
-    std::vector<double> levels;
-    add_levels(levels, 0, length, 500);
-    check_waiting_pieces(name, soup, add_source, levels);
-  };
+      std::vector<double> levels;
+      add_levels(levels, 0, length, 500);
+      check_waiting_pieces(name, soup, add_source, levels);
+    };
   const auto from_border = [](Geodesic& g) { g.add_source_boundary(); };
   const auto from_vertex = [](Geodesic& g) { g.add_source_point(test::Surface_mesh::Vertex_index(0)); };
   run("many rings", tube(100, 12, 1, 0.5), from_border, 3);
@@ -551,14 +550,14 @@ void dense_faces()
   check_waiting_pieces(
     "crossing segments in a face", planar_grid(3, 3),
     [](Geodesic& g) {
-    test::Random random(7);
-    std::vector<Face_location> polyline;
-    for (int i = 0; i < 30; ++i)
-    {
-      const double u = uniform(random, 0, 1), v = uniform(random, 0, 1 - u);
-      polyline.push_back({test::Surface_mesh::Face_index(5), {u, v, 1 - u - v}});
-    }
-    g.add_source_polyline(polyline);
+      test::Random random(7);
+      std::vector<Face_location> polyline;
+      for (int i = 0; i < 30; ++i)
+      {
+        const double u = uniform(random, 0, 1), v = uniform(random, 0, 1 - u);
+        polyline.push_back({test::Surface_mesh::Face_index(5), {u, v, 1 - u - v}});
+      }
+      g.add_source_polyline(polyline);
     },
     small_levels);
 
@@ -573,9 +572,9 @@ void dense_faces()
   check_waiting_pieces(
     "many sources in a face, later", parts,
     [&](Geodesic& g) {
-    add_source(g, 0, 0);
-    add_source(g, empty, 4);
-    add_sources_in_faces(g, dense, 20);
+      add_source(g, 0, 0);
+      add_source(g, empty, 4);
+      add_sources_in_faces(g, dense, 20);
     },
     levels);
 
@@ -594,9 +593,9 @@ void dense_faces()
   check_waiting_pieces(
     "in the shadow of a vertex", shadow,
     [&](Geodesic& g) {
-    add_source(g, 0, 0);
-    add_source(g, disc, 3);
-    add_source(g, source, 9);
+      add_source(g, 0, 0);
+      add_source(g, disc, 3);
+      add_source(g, source, 9);
     },
     levels);
 }

@@ -46,22 +46,22 @@ void with_sources(const Surface_mesh& mesh, const Function& f)
   f(
     "points",
     [&](Geodesic& g) {
-    g.add_source_point(inside);
-    g.add_source_point(vertex);
+      g.add_source_point(inside);
+      g.add_source_point(vertex);
     },
     false);
   if (sections.empty() || sections[0].locations.size() < 3) return;
   f(
     "section",
     [&](Geodesic& g) {
-    for (const auto& s : sections) g.add_source_polyline(s.locations, CGAL::parameters::is_closed(s.closed));
+      for (const auto& s : sections) g.add_source_polyline(s.locations, CGAL::parameters::is_closed(s.closed));
     },
     true);
   f(
     "half a section",
     [&](Geodesic& g) {
-    const auto& l = sections[0].locations;
-    g.add_source_polyline(std::vector<Face_location>(l.begin(), l.begin() + std::ptrdiff_t(l.size() + 1) / 2));
+      const auto& l = sections[0].locations;
+      g.add_source_polyline(std::vector<Face_location>(l.begin(), l.begin() + std::ptrdiff_t(l.size() + 1) / 2));
     },
     true);
 }

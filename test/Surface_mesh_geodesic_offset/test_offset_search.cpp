@@ -204,13 +204,12 @@ void backward_segment()
   for (const Offset_curve& c : curves) plain.emplace_back(c);
   CHECK(judged(1.25, plain).is_right());
   if (!CHECK(plain.size() == 1 && plain[0].pieces.size() > 3)) return;
-  expect(
-    judged, "a segment that runs backwards", 1.25, plain,
-    [](Plain_curves& c) {
-    Plain_piece& p = c[0].pieces[1];
-    std::swap(p.from, p.to);
-    },
-    {TURN});
+  expect(judged, "a segment that runs backwards", 1.25, plain,
+         [](Plain_curves& c) {
+           Plain_piece& p = c[0].pieces[1];
+           std::swap(p.from, p.to);
+         },
+         {TURN});
 }
 
 void judge_finds_damage()
@@ -220,8 +219,8 @@ void judge_finds_damage()
   damages(
     "jittered grid", jittered_grid(9, 9, 4),
     [](Geodesic& g, const auto& data) {
-    g.add_source_point(data.vertices[44]);
-    g.add_source_point(data.vertices[46]);
+      g.add_source_point(data.vertices[44]);
+      g.add_source_point(data.vertices[46]);
     },
     2.5);
   damages(

@@ -98,8 +98,8 @@ public:
       m_geodesic.build_with_offset_curves_by_distance(
         equal,
         [&](double d, Offset_curves&& curves) {
-        m_out.distances.push_back(d);
-        std::move(curves.begin(), curves.end(), out);
+          m_out.distances.push_back(d);
+          std::move(curves.begin(), curves.end(), out);
         },
         CGAL::parameters::keep_windows(true).concurrency_tag(Tag()));
     });
@@ -456,9 +456,9 @@ void exceptions_of_a_team()
         team.for_each(
           40, [](Index i) { return i % 7; }, round % 2 == 0,
           [&](unsigned worker, Index i) {
-          if (worker >= size) throw std::logic_error("no such worker");
-          ++calls[i];
-          if (throws && (i == 11 || i == 23 || i == 38)) throw i;
+            if (worker >= size) throw std::logic_error("no such worker");
+            ++calls[i];
+            if (throws && (i == 11 || i == 23 || i == 38)) throw i;
           });
       }
       catch (const Index& i)

@@ -88,11 +88,11 @@ private:
   static void check_line(const std::string& text, const Words& words)
   {
     const Words lines = lines_of(text);
-    CHECK_DETAIL(std::any_of(
-                   lines.begin(), lines.end(),
-                   [&](const std::string& line) {
-      return std::all_of(words.begin(), words.end(), [&](const std::string& w) { return contains(line, w); });
-                   }),
+    CHECK_DETAIL(std::any_of(lines.begin(), lines.end(),
+                             [&](const std::string& line) {
+                               return std::all_of(words.begin(), words.end(),
+                                                  [&](const std::string& w) { return contains(line, w); });
+                             }),
                  (words.empty() ? "" : words.front() + " ... ") + "is no line of: " + text);
   }
 

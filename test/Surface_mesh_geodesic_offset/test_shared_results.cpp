@@ -90,24 +90,25 @@ std::vector<std::pair<const char*, Query>> queries_with_callbacks()
   const auto put_point = [](const Record& record) {
     return boost::make_function_output_iterator([&record](const Point_3& p) { record(p.x() + p.y() + p.z()); });
   };
-  return {{"offset curves", [=](const Geodesic& g, const Record& r) { g.offset_curves_by_distance(levels, curves(r)); }},
-          {"offset curves, parallel",
-           [=](const Geodesic& g, const Record& r) {
-    g.offset_curves_by_distance(levels, curves(r), CGAL::parameters::concurrency_tag(CGAL::Parallel_if_available_tag()));
-           }},
-          {"vertex distances", [](const Geodesic& g, const Record& r) { g.vertex_distances(Recording_map<double>{&r}); }},
-          {"source labels", [](const Geodesic& g, const Record& r) { g.source_labels(Recording_map<std::size_t>{&r}); }},
-          {"path sequence",
-           [=](const Geodesic& g, const Record& r) {
-    Recording_visitor visitor{r};
-    g.shortest_path_sequence_to_sources(far, visitor);
-           }},
+  return {
+    {"offset curves", [=](const Geodesic& g, const Record& r) { g.offset_curves_by_distance(levels, curves(r)); }},
+    {"offset curves, parallel",
+     [=](const Geodesic& g, const Record& r) {
+       g.offset_curves_by_distance(levels, curves(r), CGAL::parameters::concurrency_tag(CGAL::Parallel_if_available_tag()));
+     }},
+    {"vertex distances", [](const Geodesic& g, const Record& r) { g.vertex_distances(Recording_map<double>{&r}); }},
+    {"source labels", [](const Geodesic& g, const Record& r) { g.source_labels(Recording_map<std::size_t>{&r}); }},
+    {"path sequence",
+     [=](const Geodesic& g, const Record& r) {
+       Recording_visitor visitor{r};
+       g.shortest_path_sequence_to_sources(far, visitor);
+     }},
     {"path", [=](const Geodesic& g, const Record& r) { g.shortest_path_to_sources(far, put_location(r)); }},
     {"path from the cache",
      [=](const Geodesic& g, const Record& r) {
-    Path_locations path;
-    g.shortest_path_to_sources(far, std::back_inserter(path));
-    g.shortest_path_to_sources(far, put_location(r));
+       Path_locations path;
+       g.shortest_path_to_sources(far, std::back_inserter(path));
+       g.shortest_path_to_sources(far, put_location(r));
      }},
     {"path as points", [=](const Geodesic& g, const Record& r) { g.shortest_path_points_to_sources(far, put_point(r)); }},
     {"path as points from the cache", [=](const Geodesic& g, const Record& r) {
@@ -196,9 +197,9 @@ void builds()
   geodesic.build_with_offset_curves_by_distance(
     levels,
     [&](double, Offset_curves&& some) {
-    ++received;
-    disturb();
-    std::move(some.begin(), some.end(), std::back_inserter(curves));
+      ++received;
+      disturb();
+      std::move(some.begin(), some.end(), std::back_inserter(curves));
     },
     CGAL::parameters::visitor(visitor).concurrency_tag(Tag()));
   CHECK(calls > 2 && received == levels.size());

@@ -97,21 +97,19 @@ void points(const std::string& name, const test::Surface_mesh& mesh, unsigned se
       check_same(name + ": a vertex as a face location", mesh,
                  distances(mesh, [&](Geodesic& g) { g.add_source_point(locations.at_vertex(v, turn)); }), from_v);
     check_same(name + ": duplicate vertices", mesh,
-               distances(
-                 mesh,
-                 [&](Geodesic& g) {
-      g.add_source_point(v);
-      g.add_source_point(v);
-      g.add_source_point(locations.at_vertex(v, 1));
-                 }),
+               distances(mesh,
+                         [&](Geodesic& g) {
+                           g.add_source_point(v);
+                           g.add_source_point(v);
+                           g.add_source_point(locations.at_vertex(v, 1));
+                         }),
                from_v);
     check_same(name + ": adjacent vertices", mesh,
-               distances(
-                 mesh,
-                 [&](Geodesic& g) {
-      g.add_source_point(u);
-      g.add_source_point(v);
-                 }),
+               distances(mesh,
+                         [&](Geodesic& g) {
+                           g.add_source_point(u);
+                           g.add_source_point(v);
+                         }),
                minimum(from_u, from_v));
     check_same(name + ": a polyline of one vertex", mesh,
                distances(mesh, [&](Geodesic& g) { g.add_source_polyline(std::vector<Face_location>{locations.at_vertex(v)}); }),
@@ -125,31 +123,28 @@ void points(const std::string& name, const test::Surface_mesh& mesh, unsigned se
       check_same(name + ": a point on an edge, from both faces", mesh,
                  distances(mesh, [&](Geodesic& g) { g.add_source_point(other); }), expected);
       check_same(name + ": a point on an edge, twice", mesh,
-                 distances(
-                   mesh,
-                   [&](Geodesic& g) {
-        g.add_source_point(on_edge);
-        g.add_source_point(other);
-                   }),
+                 distances(mesh,
+                           [&](Geodesic& g) {
+                             g.add_source_point(on_edge);
+                             g.add_source_point(other);
+                           }),
                  expected);
     }
     const Face_location inside(face(h, mesh), random_barycentric(random));
     const std::vector<double> from_inside = distances(mesh, [&](Geodesic& g) { g.add_source_point(inside); });
     check_same(name + ": duplicate points in a face", mesh,
-               distances(
-                 mesh,
-                 [&](Geodesic& g) {
-      g.add_source_point(inside);
-      g.add_source_point(inside);
-                 }),
+               distances(mesh,
+                         [&](Geodesic& g) {
+                           g.add_source_point(inside);
+                           g.add_source_point(inside);
+                         }),
                from_inside);
     check_same(name + ": a point in a face and a vertex of the face", mesh,
-               distances(
-                 mesh,
-                 [&](Geodesic& g) {
-      g.add_source_point(inside);
-      g.add_source_point(v);
-                 }),
+               distances(mesh,
+                         [&](Geodesic& g) {
+                           g.add_source_point(inside);
+                           g.add_source_point(v);
+                         }),
                minimum(from_inside, from_v));
   }
 }
@@ -180,22 +175,21 @@ void polylines(const std::string& name, const test::Surface_mesh& mesh, unsigned
     check_same(name + ": reversed", mesh, distances(mesh, [&](Geodesic& g) { g.add_source_polyline(reversed); }), expected);
 
     check_same(name + ": segment by segment", mesh,
-               distances(
-                 mesh,
-                 [&](Geodesic& g) {
-      for (std::size_t i = 0; i + 1 < way.size(); ++i) g.add_source_polyline(std::vector<Face_location>{way[i], way[i + 1]});
-                 }),
+               distances(mesh,
+                         [&](Geodesic& g) {
+                           for (std::size_t i = 0; i + 1 < way.size(); ++i)
+                             g.add_source_polyline(std::vector<Face_location>{way[i], way[i + 1]});
+                         }),
                expected);
 
     check_same(name + ": there and back, with its points added", mesh,
-               distances(
-                 mesh,
-                 [&](Geodesic& g) {
-      std::vector<Face_location> there_and_back = way;
-      there_and_back.insert(there_and_back.end(), way.rbegin(), way.rend());
-      g.add_source_polyline(there_and_back);
-      for (const Face_location& l : way) g.add_source_point(l);
-                 }),
+               distances(mesh,
+                         [&](Geodesic& g) {
+                           std::vector<Face_location> there_and_back = way;
+                           there_and_back.insert(there_and_back.end(), way.rbegin(), way.rend());
+                           g.add_source_polyline(there_and_back);
+                           for (const Face_location& l : way) g.add_source_point(l);
+                         }),
                expected);
 
     std::vector<Face_location> loop = {way[1], way[2], way[3]};
@@ -231,11 +225,10 @@ void edge_sets(const std::string& name, const test::Surface_mesh& mesh, unsigned
     check_same(name + ": edges and the polyline along them", mesh,
                distances(mesh, [&](Geodesic& g) { g.add_source_polyline(along); }), expected);
     check_same(name + ": edges twice, one source each", mesh,
-               distances(
-                 mesh,
-                 [&](Geodesic& g) {
-      for (Edge_index e : edges) g.add_source_edges(std::vector<Edge_index>{e, e});
-                 }),
+               distances(mesh,
+                         [&](Geodesic& g) {
+                           for (Edge_index e : edges) g.add_source_edges(std::vector<Edge_index>{e, e});
+                         }),
                expected);
     Report::instance().set_context(name + ": vertices of source edges");
     for (Edge_index e : edges)

@@ -267,7 +267,7 @@ void split_from_all(const std::string& name, const Surface_mesh& mesh, unsigned 
     split(
       name + ", section", mesh,
       [&](Geodesic& g) {
-      for (const auto& s : sections) g.add_source_polyline(s.locations, CGAL::parameters::is_closed(s.closed));
+        for (const auto& s : sections) g.add_source_polyline(s.locations, CGAL::parameters::is_closed(s.closed));
       },
       random);
   }
@@ -277,7 +277,7 @@ void split_from_all(const std::string& name, const Surface_mesh& mesh, unsigned 
     split(
       name + ", boundary", mesh,
       [&](Geodesic& g) {
-      for (const auto& cycle : g.mesh().boundary_edges()) g.add_source_edges(cycle);
+        for (const auto& cycle : g.mesh().boundary_edges()) g.add_source_edges(cycle);
       },
       random);
   }

@@ -537,19 +537,18 @@ void found_sources()
              open.mesh);
   const auto start = CGAL::parameters::start_value(1.5);
   typedef std::function<void(Geodesic&, bool)> Add;
-  const std::pair<const Surface_mesh*, Add>
-    cases[] = {{&data.mesh,
-                [&](Geodesic& g, bool s) { s ? g.add_source_sharp_edges(60, start) : g.add_source_sharp_edges(60); }},
-               {&data.mesh,
-                [&](Geodesic& g, bool s) {
-    const Geodesic::Plane_3 plane(0.25, 1, 0.5, -0.6);
-    s ? g.add_source_plane_section(plane, start) : g.add_source_plane_section(plane);
-                }},
-               {&data.mesh,
-                [&](Geodesic& g, bool s) { // touches vertices and edges
-    const Geodesic::Plane_3 plane(0, 0, 1, 0);
-    s ? g.add_source_plane_section(plane, start) : g.add_source_plane_section(plane);
-                }},
+  const std::pair<const Surface_mesh*, Add> cases[] = {
+    {&data.mesh, [&](Geodesic& g, bool s) { s ? g.add_source_sharp_edges(60, start) : g.add_source_sharp_edges(60); }},
+    {&data.mesh,
+     [&](Geodesic& g, bool s) {
+       const Geodesic::Plane_3 plane(0.25, 1, 0.5, -0.6);
+       s ? g.add_source_plane_section(plane, start) : g.add_source_plane_section(plane);
+     }},
+    {&data.mesh,
+     [&](Geodesic& g, bool s) { // touches vertices and edges
+       const Geodesic::Plane_3 plane(0, 0, 1, 0);
+       s ? g.add_source_plane_section(plane, start) : g.add_source_plane_section(plane);
+     }},
     {&open.mesh, [&](Geodesic& g, bool s) { s ? g.add_source_boundary(start) : g.add_source_boundary(); }},
     {&open.mesh, [&](Geodesic& g, bool s) {
        const auto h = is_border(border, open.mesh) ? border : opposite(border, open.mesh);

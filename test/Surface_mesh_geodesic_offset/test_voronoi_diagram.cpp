@@ -651,18 +651,17 @@ void common_end_beside_edge()
   const Location end(f, {0.748936, 1.4e-12, 0.251064 - 1.4e-12});
   Random random(5);
   for (const double x : {1e-5, 1e-4, 1e-3})
-    compare(
-      "common end beside an edge", mesh,
-      {[&](Geodesic& g) {
-      g.add_source_polyline(std::vector<Location>{end, Location(f, {0.696, 0, 0.304})});
-       },
-       [&](Geodesic& g) {
-      g.add_source_point(Location(f, {0.9999995, 2.5e-7, 2.5e-7}));
-      },
-      [&](Geodesic& g) {
-      g.add_source_polyline(std::vector<Location>{end, Location(f, {1 - 1.2 * x, x, 0.2 * x})});
-      }},
-      random, 100, true);
+    compare("common end beside an edge", mesh,
+            {[&](Geodesic& g) {
+               g.add_source_polyline(std::vector<Location>{end, Location(f, {0.696, 0, 0.304})});
+             },
+             [&](Geodesic& g) {
+               g.add_source_point(Location(f, {0.9999995, 2.5e-7, 2.5e-7}));
+             },
+             [&](Geodesic& g) {
+               g.add_source_polyline(std::vector<Location>{end, Location(f, {1 - 1.2 * x, x, 0.2 * x})});
+             }},
+            random, 100, true);
 }
 
 // A polyline begins 1e-11 behind an edge, which it crosses aslant. On one side, points of the edge are nearest to the crossing,
@@ -693,13 +692,13 @@ void end_behind_edge()
                  far = x - slope * uniform(random, 0, 0.1);
     compare("end behind an edge", mesh,
             {[&](Geodesic& g) {
-      g.add_source_polyline(std::vector<Location>{at(lower, near, depth), at(lower, far, depth)});
+               g.add_source_polyline(std::vector<Location>{at(lower, near, depth), at(lower, far, depth)});
              },
              [&](Geodesic& g) {
-      g.add_source_polyline(std::vector<Location>{at(upper, x + slope * y, y), at(lower, x, 0),
-                                                  at(lower, x - slope * 0.15, 0.15)});
-            }},
-      random, 20, true);
+               g.add_source_polyline(std::vector<Location>{at(upper, x + slope * y, y), at(lower, x, 0),
+                                                           at(lower, x - slope * 0.15, 0.15)});
+             }},
+            random, 20, true);
   }
 }
 
@@ -762,12 +761,12 @@ void needle_strips()
     const double s = uniform(random, 0.1, 0.4), t = uniform(random, 0.6, 0.9);
     compare("needle strip", mesh,
             {[&](Geodesic& g) {
-      g.add_source_point(Location(first, {s, 1 - s, 0}));
+               g.add_source_point(Location(first, {s, 1 - s, 0}));
              },
              [&](Geodesic& g) {
-      g.add_source_point(Location(last, {0, t, 1 - t}));
-            }},
-      random, 20, true);
+               g.add_source_point(Location(last, {0, t, 1 - t}));
+             }},
+            random, 20, true);
   }
 }
 
@@ -897,7 +896,7 @@ void tie_at_a_center()
       mesh,
       {add_edge, [&](Geodesic& g) { g.add_source_point(apex, CGAL::parameters::start_value(field.distance_to_sources(apex))); },
        [&](Geodesic& g) {
-      g.add_source_polyline(std::vector<Location>{apex, center}, CGAL::parameters::start_value(start));
+         g.add_source_polyline(std::vector<Location>{apex, center}, CGAL::parameters::start_value(start));
        }});
     std::size_t curves_of_lens = 0;
     for (const auto& c : diagram.curves())
@@ -1057,7 +1056,7 @@ void shared_segments()
             {along_edge(mesh, mesh.halfedge(Vertex_index(4), Vertex_index(3)), 1. / 3, 0),
              [&](Geodesic& g) { g.add_source_edges(std::vector<Edge_index>{edge(4, 3)}); },
              [&](Geodesic& g) {
-      g.add_source_edges(std::vector<Edge_index>{edge(4, 3), edge(3, 5)});
+               g.add_source_edges(std::vector<Edge_index>{edge(4, 3), edge(3, 5)});
              }},
             random, 100, true);
   }
@@ -1221,19 +1220,19 @@ void links()
       compare("short segment in line", mesh,
               {[&](Geodesic& g) { g.add_source_point(b); },
                [&](Geodesic& g) {
-        g.add_source_polyline(std::vector<Location>{Location(f, {0.25, 0.75, 0}), b,
-                                                    Location(f, {0.875 + step, 0.125 - step, 0})});
+                 g.add_source_polyline(std::vector<Location>{Location(f, {0.25, 0.75, 0}), b,
+                                                             Location(f, {0.875 + step, 0.125 - step, 0})});
                }},
               random, 100, true);
     const Location c(f, {0.25, 0.25, 0.5}), beside(f, {0.25 + 6e-10, 0.25 - 6e-10, 0.5}), near_end(f, {0, 0.999999, 1e-6});
     compare("polylines beside each other", mesh,
             {[&](Geodesic& g) {
-      g.add_source_polyline(std::vector<Location>{Location(f, {0, 1, 0}), c, near_end});
+               g.add_source_polyline(std::vector<Location>{Location(f, {0, 1, 0}), c, near_end});
              },
              [&](Geodesic& g) {
-      g.add_source_polyline(std::vector<Location>{near_end, beside, Location(f, {0, 1, 0})});
-            }},
-      random, 100, true);
+               g.add_source_polyline(std::vector<Location>{near_end, beside, Location(f, {0, 1, 0})});
+             }},
+            random, 100, true);
   }
   { // polylines through one point, with ends 8e-9 apart: several bisectors meet at the ends of links
     const Surface_mesh mesh = Generated_mesh<Surface_mesh>(symmetric_soups().front()).mesh;
@@ -1243,12 +1242,12 @@ void links()
       end(f, {0.62291208656218811, 0.29480699722916781, 0.082280916208644084}), beside(f, {0.62291208, 0.294807, 0.08228092});
     compare("polylines through one point", mesh,
             {[&](Geodesic& g) {
-      g.add_source_polyline(std::vector<Location>{Location(f, {1, 0, 0}), center, end});
+               g.add_source_polyline(std::vector<Location>{Location(f, {1, 0, 0}), center, end});
              },
              [&](Geodesic& g) {
-      g.add_source_polyline(std::vector<Location>{beside, center, Location(f, {0.88, 0.12, 0})});
-            }},
-      random, 30, true);
+               g.add_source_polyline(std::vector<Location>{beside, center, Location(f, {0.88, 0.12, 0})});
+             }},
+            random, 30, true);
   }
   Random random(11);
   for (int i = 0; i < number_of_cases(200, 2000); ++i)
@@ -1445,12 +1444,12 @@ void small_loops()
     Surface_mesh mesh;
     for (const Point_3& p : {Point_3(0, 0, 0), Point_3(2, 0, 0), Point_3(1, std::sqrt(3.), 0)}) mesh.add_vertex(p);
     const Face_index f = mesh.add_face(Vertex_index(0), Vertex_index(1), Vertex_index(2));
-    const Diagram diagram =
-      diagram_of(mesh,
-                 {[&](Geodesic& g) {
-      g.add_source_point(Location(f, {1. / 3, 1. / 3, 1. / 3}), CGAL::parameters::start_value(1 / std::sqrt(3.) - radius));
-                  },
-                  [&](Geodesic& g) { g.add_source_edges(std::vector<Edge_index>(mesh.edges().begin(), mesh.edges().end())); }});
+    const Diagram diagram = diagram_of(
+      mesh,
+      {[&](Geodesic& g) {
+         g.add_source_point(Location(f, {1. / 3, 1. / 3, 1. / 3}), CGAL::parameters::start_value(1 / std::sqrt(3.) - radius));
+       },
+       [&](Geodesic& g) { g.add_source_edges(std::vector<Edge_index>(mesh.edges().begin(), mesh.edges().end())); }});
     const bool is_found = radius > 1e-7;
     CHECK_DETAIL(diagram.number_of_curves() == (is_found ? 1 : 0) && diagram.source_at_face(f) == (is_found ? 0 : 1),
                  values(radius, double(diagram.number_of_curves())));
@@ -1527,12 +1526,12 @@ void data_meshes()
   Random random(7);
   compare("rotor_small, cones that part", mesh,
           {[](Geodesic& g) {
-    g.add_source_point(Location(Face_index(1958), {0.25, 0.25, 0.5}));
+             g.add_source_point(Location(Face_index(1958), {0.25, 0.25, 0.5}));
            },
            [](Geodesic& g) {
-    g.add_source_point(Location(Face_index(2718), {0.1308263138, 0.8617041370, 0.0074695492}));
-          }},
-    random, 100);
+             g.add_source_point(Location(Face_index(2718), {0.1308263138, 0.8617041370, 0.0074695492}));
+           }},
+          random, 100);
 }
 
 } // namespace test_voronoi_diagram

@@ -223,8 +223,9 @@ private:
 int main(int argc, char* argv[])
 {
   std::vector<std::string> pictures;
-  const int result = paper::run_on_models(argc, argv, "figure_10_resolutions",
-                                          R"(
+  const int result =
+    paper::run_on_models(argc, argv, "figure_10_resolutions",
+                         R"(
 ## Fig. 10: Resolutions and Triangulations
 
 *The paper* shows "Moai" with 11K and with 3K vertices, which is not at hand, and the offsets of a section by one plane. They are
@@ -244,10 +245,10 @@ distance of its points on the model, in diagonals.
 | model | vertices | compared with | vertices | surface | method | same number of curves | largest distance | mean distance | difference of distances |
 |---|---|---|---|---|---|---|---|---|---|
 )",
-                                          [&](const paper::Model& model, const std::string& prefix) {
-    pictures.push_back(prefix + ".png");
-    Experiment(model, pictures.back());
-  });
+                         [&](const paper::Model& model, const std::string& prefix) {
+                           pictures.push_back(prefix + ".png");
+                           Experiment(model, pictures.back());
+                         });
   for (const std::string& p : pictures)
     paper::print_picture(p, "Offsets on the model, on the same surface triangulated again, and on simplified models");
   return result;

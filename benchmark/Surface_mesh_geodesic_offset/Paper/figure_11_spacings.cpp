@@ -80,8 +80,9 @@ void run(Model model, const std::string& picture)
 int main(int argc, char* argv[])
 {
   std::vector<std::string> pictures;
-  const int result = paper::run_on_models(argc, argv, "figure_11_spacings",
-                                          R"(
+  const int result =
+    paper::run_on_models(argc, argv, "figure_11_spacings",
+                         R"(
 ## Fig. 11: Spacings
 
 *The paper* shows "Lucy" (263K vertices, not at hand), scaled to the unit cube, with offsets of a curve around the waist at spacings
@@ -93,10 +94,10 @@ distances of both families, the numbers of curves are equal, and the lengths up 
 | model | vertices | spacing | distances | curves | length | largest distance of a vertex |
 |---|---|---|---|---|---|---|
 )",
-                                          [&](const paper::Model& model, const std::string& prefix) {
-    pictures.push_back(prefix + ".png");
-    run(model, pictures.back());
-  });
+                         [&](const paper::Model& model, const std::string& prefix) {
+                           pictures.push_back(prefix + ".png");
+                           run(model, pictures.back());
+                         });
   for (const std::string& p : pictures) paper::print_picture(p, "Offsets at spacings of 0.06 and 0.025");
   return result;
 }

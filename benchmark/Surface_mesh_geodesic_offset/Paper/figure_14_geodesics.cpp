@@ -174,8 +174,9 @@ private:
 int main(int argc, char* argv[])
 {
   std::vector<std::string> pictures;
-  const int result = paper::run_on_models(argc, argv, "figure_14_geodesics",
-                                          R"(
+  const int result =
+    paper::run_on_models(argc, argv, "figure_14_geodesics",
+                         R"(
 ## Fig. 14: Geodesics Are Orthogonal to Offsets
 
 *The paper* shows geodesics on "Laurana", a model of 10K vertices that is not at hand: they are orthogonal to the offset curves
@@ -188,10 +189,10 @@ The contours of the exact distances of vertices, interpolated linearly in each f
 | model | vertices | curves | crossings | largest deviation from 90 degrees | mean deviation | off by more than 1 degree |
 |---|---|---|---|---|---|---|
 )",
-                                          [&](const paper::Model& model, const std::string& prefix) {
-    pictures.push_back(prefix + ".png");
-    Experiment(model, pictures.back());
-  });
+                         [&](const paper::Model& model, const std::string& prefix) {
+                           pictures.push_back(prefix + ".png");
+                           Experiment(model, pictures.back());
+                         });
   for (const std::string& p : pictures) paper::print_picture(p, "Offsets, and geodesics to their source");
   return result;
 }

@@ -111,8 +111,9 @@ void run(const Model& model, const std::string& picture)
 int main(int argc, char* argv[])
 {
   std::vector<std::string> pictures;
-  const int result = paper::run_on_models(argc, argv, "figure_1_sources",
-                                          R"(
+  const int result =
+    paper::run_on_models(argc, argv, "figure_1_sources",
+                         R"(
 ## Fig. 1: Points and Curves Together
 
 *The paper* shows the offsets of four points and three curves on "Happy Buddha" (100K vertices, not at hand), computed in 3.2 s with
@@ -125,10 +126,10 @@ source.
 | model | vertices | offset curves at 20 distances | windows | of the mean for single sources | largest difference from the least distance, in diagonals |
 |---|---|---|---|---|---|
 )",
-                                          [&](const paper::Model& model, const std::string& prefix) {
-    pictures.push_back(prefix + ".png");
-    run(model, pictures.back());
-  });
+                         [&](const paper::Model& model, const std::string& prefix) {
+                           pictures.push_back(prefix + ".png");
+                           run(model, pictures.back());
+                         });
   for (const std::string& p : pictures) paper::print_picture(p, "Offsets of four points and three curves");
   return result;
 }

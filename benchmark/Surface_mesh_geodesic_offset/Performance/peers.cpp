@@ -146,10 +146,10 @@ public:
       for (std::size_t k : {1, 2, 4, 8, 16})
         run("ours, " + std::to_string(k) + (k == 1 ? " point" : " points") + " per segment",
             [&](std::vector<double>& distances, std::uint64_t& windows) {
-          Geodesic geodesic(m_mesh);
-          for (const Face_location& l : samples(m_mesh, m_source.curve, k)) geodesic.add_source_point(l);
-          build(geodesic, 0, distances, windows);
-        });
+              Geodesic geodesic(m_mesh);
+              for (const Face_location& l : samples(m_mesh, m_source.curve, k)) geodesic.add_source_point(l);
+              build(geodesic, 0, distances, windows);
+            });
     }
     run_heat_method();
     run("edges", [&](std::vector<double>& distances, std::uint64_t&) {

@@ -130,14 +130,14 @@ bool compare(const std::string& file, const Options& options)
     measure(
       points, out,
       [&] {
-      solver.add_source_point(source);
-      solver.build_sequence_tree();
-      return 0;
+        solver.add_source_point(source);
+        solver.build_sequence_tree();
+        return 0;
       },
       [&](const Face_location& p) {
-      const double d = solver.shortest_distance_to_source_points(p.first, p.second).first;
-      return d < 0 ? std::numeric_limits<double>::infinity() : d;
-    },
+        const double d = solver.shortest_distance_to_source_points(p.first, p.second).first;
+        return d < 0 ? std::numeric_limits<double>::infinity() : d;
+      },
       [&](const Face_location& p, auto way) { solver.shortest_path_points_to_source_points(p.first, p.second, way); });
   });
   const Measured_run ours = fastest_run(options.repetitions, [&](std::vector<double>& out, std::uint64_t&) {
@@ -145,9 +145,9 @@ bool compare(const std::string& file, const Options& options)
     measure(
       points, out,
       [&] {
-      solver.add_source_point(source);
-      solver.build(CGAL::parameters::keep_windows(true));
-      return solver.statistics().kept_bytes;
+        solver.add_source_point(source);
+        solver.build(CGAL::parameters::keep_windows(true));
+        return solver.statistics().kept_bytes;
       },
       [&](const Face_location& p) { return solver.distance_to_sources(p); },
       [&](const Face_location& p, auto way) { solver.shortest_path_points_to_sources(p, way); });

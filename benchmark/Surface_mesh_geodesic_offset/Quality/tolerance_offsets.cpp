@@ -78,10 +78,10 @@ std::vector<Result> run(const Mesh& mesh, int levels, int repeat)
     geodesic.build_with_offset_curves_by_distance(
       family,
       [&](double d, Curves&& curves) {
-      const auto c = enclosure.certify_offset(d, curves);
-      const double allowed = curves.empty() || tolerances[k] == 0 ? d : curves.front().tolerance();
-      results[k].worst = (std::max)(results[k].worst, c.tolerance / allowed);
-      results[k].failures += std::size_t(!c.bounds_region || c.number_of_reversed_curves > 0);
+        const auto c = enclosure.certify_offset(d, curves);
+        const double allowed = curves.empty() || tolerances[k] == 0 ? d : curves.front().tolerance();
+        results[k].worst = (std::max)(results[k].worst, c.tolerance / allowed);
+        results[k].failures += std::size_t(!c.bounds_region || c.number_of_reversed_curves > 0);
       },
       CGAL::parameters::relative_tolerance(tolerances[k]));
   return results;

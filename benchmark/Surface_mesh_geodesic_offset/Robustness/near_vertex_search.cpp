@@ -53,6 +53,6 @@ int main(int argc, char** argv)
   const int named = kind != kinds.end() ? 1 : 0; // without a kind: beside
   return test::run_search("near_vertex_search", "--queries", 200, argc - named, argv + named,
                           [&](const test::Seed_range_options& options) {
-    return run(options, named ? kind->second : Search::BESIDE);
-  });
+                            return run(options, named ? kind->second : Search::BESIDE);
+                          });
 }

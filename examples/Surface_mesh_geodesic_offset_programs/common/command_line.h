@@ -17,8 +17,7 @@
 #include <string>
 #include <vector>
 
-namespace geodesic_offset {
-namespace internal {
+namespace geodesic_offset::internal {
 
 namespace po = boost::program_options;
 using Words = std::vector<std::string>;
@@ -137,7 +136,6 @@ inline po::variables_map parsed_command_line(int argc, const char* const* argv, 
   return map;
 }
 
-} // namespace internal
-} // namespace geodesic_offset
+} // namespace geodesic_offset::internal
 
 #endif // GEODESIC_OFFSET_COMMAND_LINE_H

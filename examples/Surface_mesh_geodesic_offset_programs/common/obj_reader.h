@@ -16,8 +16,7 @@
 #include <string>
 #include <string_view>
 
-namespace geodesic_offset {
-namespace internal {
+namespace geodesic_offset::internal {
 
 class Obj_reader
 {
@@ -101,7 +100,6 @@ private:
   }
 };
 
-} // namespace internal
-} // namespace geodesic_offset
+} // namespace geodesic_offset::internal
 
 #endif // GEODESIC_OFFSET_OBJ_READER_H

@@ -20,8 +20,7 @@
 #include <string>
 #include <string_view>
 
-namespace geodesic_offset {
-namespace internal {
+namespace geodesic_offset::internal {
 
 // For example "the file ends after 3 of 8 vertices".
 inline std::string missing(const std::string& elements, std::size_t found, std::size_t announced)
@@ -249,7 +248,6 @@ private:
   }
 };
 
-} // namespace internal
-} // namespace geodesic_offset
+} // namespace geodesic_offset::internal
 
 #endif // GEODESIC_OFFSET_OFF_READER_H

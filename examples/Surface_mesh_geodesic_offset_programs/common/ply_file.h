@@ -21,8 +21,7 @@
 #include <utility>
 #include <vector>
 
-namespace geodesic_offset {
-namespace internal {
+namespace geodesic_offset::internal {
 
 enum class Ply_type { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
 
@@ -327,7 +326,6 @@ private:
   }
 };
 
-} // namespace internal
-} // namespace geodesic_offset
+} // namespace geodesic_offset::internal
 
 #endif // GEODESIC_OFFSET_PLY_FILE_H

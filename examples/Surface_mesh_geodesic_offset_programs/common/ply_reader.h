@@ -18,8 +18,7 @@
 #include <string>
 #include <string_view>
 
-namespace geodesic_offset {
-namespace internal {
+namespace geodesic_offset::internal {
 
 class Ply_reader
 {
@@ -191,7 +190,6 @@ private:
   }
 };
 
-} // namespace internal
-} // namespace geodesic_offset
+} // namespace geodesic_offset::internal
 
 #endif // GEODESIC_OFFSET_PLY_READER_H

@@ -24,8 +24,7 @@
 #include <string_view>
 #include <vector>
 
-namespace geodesic_offset {
-namespace internal {
+namespace geodesic_offset::internal {
 
 // Point indices by coordinates: a hash table with open addressing, at most half full.
 class Point_indices
@@ -202,7 +201,6 @@ private:
   }
 };
 
-} // namespace internal
-} // namespace geodesic_offset
+} // namespace geodesic_offset::internal
 
 #endif // GEODESIC_OFFSET_STL_READER_H

@@ -16,9 +16,7 @@
 // Exact_predicates_exact_constructions_kernel_with_sqrt. Internal computations use Radical_number, whose comparisons
 // are fast also for equal numbers; results are numbers of the kernel.
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 template <>
 struct Computation_number<CORE::Expr>
@@ -32,8 +30,6 @@ struct Number_conversion<CORE::Expr, Radical_number>
   static CORE::Expr convert(const Radical_number& x) { return x.core_expression(); }
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

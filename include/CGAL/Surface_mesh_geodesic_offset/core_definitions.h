@@ -23,9 +23,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Source_set_impl.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Bisector_diagram_impl.h>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 template <class>
 struct Core_definitions
@@ -42,9 +40,7 @@ CGAL_GEODESIC_OFFSET_PATH_FUNCTIONS(extern template)
 CGAL_GEODESIC_OFFSET_CUTTING_FUNCTIONS(extern template)
 CGAL_GEODESIC_OFFSET_VORONOI_FUNCTIONS(extern template)
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif
 

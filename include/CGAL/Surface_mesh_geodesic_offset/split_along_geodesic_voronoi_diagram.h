@@ -121,8 +121,8 @@ void split_along_geodesic_voronoi_diagram(TriangleMesh& tm, const VoronoiDiagram
       parameters::get_parameter(np, internal_np::geodesic_face_source),
       [&](const auto f) -> const std::vector<std::size_t>& { return *sources[get(numbers, f)]; },
       [&](std::size_t i) {
-      const Curve c = diagram.curve(i);
-      return std::make_pair(c.source_on_left(), c.source_on_right());
+        const Curve c = diagram.curve(i);
+        return std::make_pair(c.source_on_left(), c.source_on_right());
       });
   }
 }

@@ -25,9 +25,7 @@
 #include <unordered_map>
 #include <vector>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 template <class Geodesic>
 class Area_validation
@@ -205,8 +203,6 @@ private:
   Validation_report& m_report;
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif // GEODESIC_OFFSET_TEST_VALIDATION_AREA_VALIDATION_H

@@ -14,9 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 class Crossing_validation
 {
@@ -56,8 +54,6 @@ private:
   Validation_report& m_report;
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif // GEODESIC_OFFSET_TEST_VALIDATION_CROSSING_VALIDATION_H

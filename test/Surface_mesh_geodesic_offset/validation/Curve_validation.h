@@ -13,9 +13,7 @@
 #include <string>
 #include <utility>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 template <class Geodesic>
 class Curve_validation
@@ -180,8 +178,6 @@ private:
   Validation_report& m_report;
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif // GEODESIC_OFFSET_TEST_VALIDATION_CURVE_VALIDATION_H

@@ -28,9 +28,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // Validates offset curves of one build. `Geodesic`: a Surface_mesh_geodesic_offset on a mesh with its own points (no custom
 // point map), built with kept windows and without a distance limit below the levels. It must not be rebuilt during the
@@ -127,8 +125,6 @@ private:
   Validation_surface<Geodesic> m_surface;
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif // GEODESIC_OFFSET_TEST_VALIDATION_OFFSET_VALIDATION_H

@@ -15,9 +15,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 template <class Geodesic>
 class Side_validation
@@ -151,8 +149,6 @@ private:
   double m_tolerance;
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif // GEODESIC_OFFSET_TEST_VALIDATION_SIDE_VALIDATION_H

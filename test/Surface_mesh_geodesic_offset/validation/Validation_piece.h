@@ -16,9 +16,7 @@
 #include <cmath>
 #include <limits>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // An arc of less than a half turn, counterclockwise around `center`, or a segment with unit normal `center` away from the
 // smaller distances and distance `radius` from the origin along the normal, in the face frame.
@@ -191,8 +189,6 @@ private:
   }
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif // GEODESIC_OFFSET_TEST_VALIDATION_VALIDATION_PIECE_H

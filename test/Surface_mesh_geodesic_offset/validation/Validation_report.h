@@ -14,9 +14,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 enum Validation_kind : unsigned char {
   CLOSEDNESS,  // pieces are joined; open curves begin and end on the border
@@ -146,8 +144,6 @@ private:
   std::string m_context;
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif // GEODESIC_OFFSET_TEST_VALIDATION_VALIDATION_REPORT_H

@@ -24,9 +24,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // Face in its public frame: origin at the source of `halfedge(f, tm)`, x axis along it.
 struct Validation_face
@@ -278,8 +276,6 @@ inline Validation_face::Weights validation_random_weights(std::mt19937& random)
   return {{inwards(1 - s - t), inwards(s), inwards(t)}};
 }
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif // GEODESIC_OFFSET_TEST_VALIDATION_VALIDATION_SURFACE_H

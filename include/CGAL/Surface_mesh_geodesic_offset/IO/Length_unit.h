@@ -6,8 +6,7 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-namespace CGAL {
-namespace IO {
+namespace CGAL::IO {
 
 /// \ingroup PkgSurfaceMeshGeodesicOffsetEnums
 /// \brief The unit of the coordinates of a mesh, for the file formats with a unit: DXF and SVG. No coordinate is converted.
@@ -19,7 +18,6 @@ enum class Length_unit {
   INCH        ///< in
 };
 
-} // namespace IO
-} // namespace CGAL
+} // namespace CGAL::IO
 
 #endif

@@ -12,8 +12,7 @@
 #include <string>
 #include <utility>
 
-namespace CGAL {
-namespace IO {
+namespace CGAL::IO {
 
 /// \ingroup PkgSurfaceMeshGeodesicOffsetEnums
 /// \brief The formats of `write_offset_curves()`.
@@ -55,7 +54,6 @@ inline Offset_file_format offset_file_format(const std::string& file_name)
   throw std::invalid_argument("Surface_mesh_geodesic_offset: the extension of \"" + file_name + "\" is none of " + extensions);
 }
 
-} // namespace IO
-} // namespace CGAL
+} // namespace CGAL::IO
 
 #endif

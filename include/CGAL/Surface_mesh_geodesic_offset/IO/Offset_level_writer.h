@@ -22,8 +22,7 @@
 #include <stdexcept>
 #include <variant>
 
-namespace CGAL {
-namespace IO {
+namespace CGAL::IO {
 
 /*!
 \ingroup PkgSurfaceMeshGeodesicOffsetIO
@@ -115,7 +114,6 @@ private:
   bool m_is_finished = false;
 };
 
-} // namespace IO
-} // namespace CGAL
+} // namespace CGAL::IO
 
 #endif

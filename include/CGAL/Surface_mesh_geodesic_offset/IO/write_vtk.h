@@ -13,8 +13,7 @@
 #include <ostream>
 #include <vector>
 
-namespace CGAL {
-namespace IO {
+namespace CGAL::IO {
 /*!
 \ingroup PkgSurfaceMeshGeodesicOffsetIO
 
@@ -110,7 +109,6 @@ bool write_offset_VTK(std::ostream& os, const OffsetCurveRange& curves,
   return os.good();
 }
 
-} // namespace IO
-} // namespace CGAL
+} // namespace CGAL::IO
 
 #endif

@@ -25,9 +25,7 @@
 #include <optional>
 #include <vector>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 template <class FT>
 class Window_merging;
@@ -121,9 +119,7 @@ private:
   const Index m_first_new = 0; // primitive
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #ifndef CGAL_GEODESIC_OFFSET_COMPILED
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Geodesic_build_impl.h>

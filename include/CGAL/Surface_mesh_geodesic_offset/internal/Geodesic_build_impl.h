@@ -26,9 +26,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 inline double seconds_since(std::chrono::steady_clock::time_point t)
 {
@@ -241,8 +239,6 @@ std::optional<Farthest<typename Traits::FT>> Geodesic_build<Traits>::find_farthe
   return search.result();
 }
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

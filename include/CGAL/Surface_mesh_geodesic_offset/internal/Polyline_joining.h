@@ -14,9 +14,7 @@
 
 #include <vector>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // `Kernel`: that of the points in space.
 template <class Traits, class Kernel>
@@ -43,9 +41,7 @@ private:
   const Traits& m_traits;
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #ifndef CGAL_GEODESIC_OFFSET_COMPILED
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Polyline_joining_impl.h>

@@ -31,9 +31,7 @@
 #include <variant>
 #include <vector>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // Some faces as a mesh. The halfedges of a face have the order of the whole mesh.
 template <class Traits, class Kernel>
@@ -253,8 +251,6 @@ bool Polyline_joining<Traits, Kernel>::join(const Located_point<Number>& from, c
   return true;
 }
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

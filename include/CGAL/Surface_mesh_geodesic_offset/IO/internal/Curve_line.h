@@ -17,9 +17,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace IO {
-namespace Surface_mesh_geodesic_offset_internal {
+namespace CGAL::IO::Surface_mesh_geodesic_offset_internal {
 
 // The points of a closed curve are all different: the first one is not repeated.
 struct Curve_line
@@ -101,8 +99,6 @@ long long common_value(const std::vector<Number>& values)
   return values.empty() ? -1 : static_cast<long long>(values.front());
 }
 
-} // namespace Surface_mesh_geodesic_offset_internal
-} // namespace IO
-} // namespace CGAL
+} // namespace CGAL::IO::Surface_mesh_geodesic_offset_internal
 
 #endif

@@ -16,9 +16,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace CGAL {
-namespace IO {
-namespace Surface_mesh_geodesic_offset_internal {
+namespace CGAL::IO::Surface_mesh_geodesic_offset_internal {
 
 inline double dot(const Coordinates& p, const Coordinates& q) { return p[0] * q[0] + p[1] * q[1] + p[2] * q[2]; }
 
@@ -124,8 +122,6 @@ private:
   }
 };
 
-} // namespace Surface_mesh_geodesic_offset_internal
-} // namespace IO
-} // namespace CGAL
+} // namespace CGAL::IO::Surface_mesh_geodesic_offset_internal
 
 #endif

@@ -24,9 +24,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace IO {
-namespace Surface_mesh_geodesic_offset_internal {
+namespace CGAL::IO::Surface_mesh_geodesic_offset_internal {
 
 // Scope with enough digits for readers to restore the doubles, and a decimal point in every locale.
 class Full_precision
@@ -127,8 +125,6 @@ bool write_lines(std::ostream& os, const CurveRange& curves, const FT& chord_tol
   return os.good();
 }
 
-} // namespace Surface_mesh_geodesic_offset_internal
-} // namespace IO
-} // namespace CGAL
+} // namespace CGAL::IO::Surface_mesh_geodesic_offset_internal
 
 #endif

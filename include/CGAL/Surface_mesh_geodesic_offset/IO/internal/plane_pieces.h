@@ -19,9 +19,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace IO {
-namespace Surface_mesh_geodesic_offset_internal {
+namespace CGAL::IO::Surface_mesh_geodesic_offset_internal {
 
 typedef std::array<double, 2> Plane_point;
 
@@ -217,8 +215,6 @@ void for_each_part(const Plane_piece& piece, double largest_sweep, const Functio
   }
 }
 
-} // namespace Surface_mesh_geodesic_offset_internal
-} // namespace IO
-} // namespace CGAL
+} // namespace CGAL::IO::Surface_mesh_geodesic_offset_internal
 
 #endif

@@ -19,9 +19,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace CGAL {
-namespace IO {
-namespace Surface_mesh_geodesic_offset_internal {
+namespace CGAL::IO::Surface_mesh_geodesic_offset_internal {
 
 // The default is relative to the box of the points between pieces, which has at least half the extent of the curves, since no
 // piece exceeds a half turn.
@@ -64,8 +62,6 @@ Length_unit length_unit_of(const NamedParameters& np)
   return parameters::choose_parameter(parameters::get_parameter(np, internal_np::geodesic_length_unit), Length_unit::NONE);
 }
 
-} // namespace Surface_mesh_geodesic_offset_internal
-} // namespace IO
-} // namespace CGAL
+} // namespace CGAL::IO::Surface_mesh_geodesic_offset_internal
 
 #endif

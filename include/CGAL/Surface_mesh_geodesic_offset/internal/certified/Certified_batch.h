@@ -16,9 +16,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // Certified counterpart of Batch_propagation. A window that is not certain to miss the apex goes to both sides.
 class Certified_batch
@@ -168,8 +166,6 @@ private:
   Index m_most_faces = 0;
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

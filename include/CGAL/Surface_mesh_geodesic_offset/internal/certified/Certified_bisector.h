@@ -16,9 +16,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // The difference is the distance of window a minus that of window b.
 class Certified_bisector
@@ -124,8 +122,6 @@ private:
   const double m_margin;
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

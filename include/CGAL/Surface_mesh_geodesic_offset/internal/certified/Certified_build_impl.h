@@ -18,9 +18,7 @@
 #include <memory>
 #include <vector>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 struct Certified_build::Parts
 {
@@ -89,8 +87,6 @@ Certified_build::certify_offset(double distance, const std::vector<Curve_to_cert
   return r;
 }
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

@@ -20,9 +20,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // Sweep as in Lower_envelope, but two windows whose distances tie within their errors both remain, so neighbours overlap
 // slightly.
@@ -253,8 +251,6 @@ private:
   Window_order<double, Window> m_order;
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

@@ -18,9 +18,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 class Certified_front
 {
@@ -155,8 +153,8 @@ private:
     m_sector.for_each_sector_behind(
       a.back,
       [&](const Ray& from, const Ray& to, Index first) {
-      is_empty = false;
-      spread_sector(from, to, first);
+        is_empty = false;
+        spread_sector(from, to, first);
       },
       angle);
     // In a corner of nearly half a turn, a widened sector may begin before the direction of the arriving path; without a
@@ -229,8 +227,6 @@ private:
   Source_pacing<double> m_pacing;
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

@@ -20,9 +20,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // Lengths are in units of a power of two near the longest edge. Components of unit vectors have errors of at most 2^-98,
 // lengths have relative errors of at most 2^-98.
@@ -192,8 +190,6 @@ private:
   double m_loss = 0;
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

@@ -13,9 +13,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // Few disjoint intervals in order.
 class Interval_set
@@ -183,8 +181,6 @@ private:
   bool m_has_middle;
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

@@ -18,9 +18,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // Certified counterpart of Window_propagation: the face of a halfedge p -> q with apex r.
 class Certified_propagation
@@ -267,8 +265,6 @@ public:
   const double cl, sl, cr, sr;
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

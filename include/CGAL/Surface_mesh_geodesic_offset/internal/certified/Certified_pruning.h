@@ -13,9 +13,7 @@
 
 #include <boost/config.hpp>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // A window is certainly longer than another path if it is longer by this margin. `farthest`: largest distance in its
 // interval; `size`: size of the faces on both sides of its halfedge.
@@ -84,8 +82,6 @@ private:
   double m_far_x = 0, m_far_yy = 0, m_by_far = 0;
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

@@ -15,9 +15,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 class Certified_query
 {
@@ -94,8 +92,6 @@ private:
   double m_lower = 0, m_upper = 0;
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

@@ -18,9 +18,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // Source in a closed face: a point, or a segment from `first` to `second`, in the face frame and in units of the certified
 // mesh. The rounded position counts as exact; `moved` is an upper bound of its distance from the given position.
@@ -331,8 +329,6 @@ private:
   const Certified_mesh& m_mesh;
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

@@ -17,9 +17,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // Relative errors of one rounding, and of the few roundings in a length, a side test, and an exit.
 constexpr double unit_roundoff = 0x1p-53;
@@ -182,8 +180,6 @@ private:
   }
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

@@ -19,9 +19,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // A piece of a curve in a face, from one point of the surface to another one. Consecutive pieces share a point.
 struct Curve_piece
@@ -349,8 +347,6 @@ private:
   Index m_conflict = no_index;
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

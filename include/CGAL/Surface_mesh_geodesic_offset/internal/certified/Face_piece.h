@@ -17,9 +17,7 @@
 #include <cmath>
 #include <utility>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 inline Double_double_2 middle_of(const Double_double_2& p, const Double_double_2& q)
 {
@@ -229,8 +227,6 @@ private:
   }
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

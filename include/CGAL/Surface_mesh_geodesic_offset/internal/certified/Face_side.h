@@ -16,9 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // A point is on the side of a part of the face's border, or on the other side if the segment to the middle of the part crosses
 // an odd number of pieces. Parts of arcs count as their chords if their hulls contain no end of the segment, and all coordinates
@@ -155,8 +153,6 @@ private:
   Point m_last{0, 0};
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

@@ -18,9 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // All lengths are in units of the certified mesh. Curves have the indices 0, 1, ... in the order of the calls.
 class Given_curves
@@ -170,8 +168,6 @@ private:
   std::vector<std::pair<Surface_point_, std::size_t>> m_ends; // of open curves, with the curve
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

@@ -33,9 +33,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // Precondition: the field has its windows, and the rounding mode is to nearest. The arguments of the constructor must outlive
 // the object. `distance`: d, not negative, in units of the certified mesh, as are all lengths here.
@@ -438,8 +436,6 @@ private:
   Result m_result;
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

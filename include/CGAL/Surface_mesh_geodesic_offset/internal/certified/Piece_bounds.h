@@ -17,9 +17,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // A lower bound of the distances of all points of a piece, and an upper bound of them; and whether no point inside the piece
 // can be a local maximum of the distance that is larger than the level, if this was wanted.
@@ -372,8 +370,6 @@ private:
   bool m_has_unknown = false;
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

@@ -11,9 +11,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/Geodesic_number_pair.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Double_double.h>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // Transforms vectors to a frame whose x axis has a given unit direction. The error is at most 32 u^2 times the vector's
 // length.
@@ -46,8 +44,6 @@ private:
 
 inline Double_double_2 in_frame(const Double_double_2& axis, const Double_double_2& v) { return Rotation(axis)(v); }
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

@@ -21,9 +21,7 @@
 #error "Surface_mesh_geodesic_enclosure: every operation must round as IEEE 754 says (no -ffast-math, nor parts of it)"
 #endif
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 static_assert(std::numeric_limits<double>::is_iec559 && std::numeric_limits<double>::digits == 53,
               "Surface_mesh_geodesic_enclosure: double must be the 64-bit type of IEEE 754");
@@ -39,8 +37,6 @@ inline void check_arithmetic()
     throw std::logic_error("Surface_mesh_geodesic_enclosure: the compiler has rearranged floating point operations");
 }
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

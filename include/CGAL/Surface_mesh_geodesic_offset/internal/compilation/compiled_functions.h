@@ -86,15 +86,11 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // The traits of the computation on `double`, see Computation.
 typedef Surface_mesh_geodesic_offset_traits<Epick, void> Epick_traits;
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

@@ -18,9 +18,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // The point of a piece at the parameter part / parts. A point between two pieces belongs to the first of them, so it is the
 // same point seen from both pieces.
@@ -277,8 +275,6 @@ std::vector<Curve_point> thinned_points(const Curve& curve, const typename Curve
   return Curve_thinning<Curve>(curve, tolerance).whole([](std::size_t) { return false; });
 }
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

@@ -14,9 +14,7 @@
 
 #include <algorithm>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // A part of an offset curve in one face, in the frame of the face: an arc about `center`, counterclockwise, or a segment.
 //
@@ -77,8 +75,6 @@ inline Level_piece<FT> piece_through(const Face_window<FT>& w, const FT& radius,
           3};
 }
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

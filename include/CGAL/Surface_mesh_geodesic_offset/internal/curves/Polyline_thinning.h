@@ -15,9 +15,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // Vertex of a polyline whose vertices lie on a curve.
 struct Thinning_vertex
@@ -165,8 +163,6 @@ private:
   double m_tolerance;
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

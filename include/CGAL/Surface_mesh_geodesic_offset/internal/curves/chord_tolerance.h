@@ -13,9 +13,7 @@
 #include <string>
 #include <type_traits>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // The default, as a part of the diagonal of a bounding box: not visible in pictures of the whole.
 constexpr double default_chord_tolerance = 1e-4;
@@ -57,8 +55,6 @@ void check_all_numbers_of_chords(const Curves& curves, const FT& tolerance)
   for (const auto& curve : curves) check_number_of_chords(curve, typename std::decay<decltype(curve)>::type::FT(tolerance));
 }
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

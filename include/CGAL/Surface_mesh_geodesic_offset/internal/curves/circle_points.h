@@ -11,9 +11,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Face_frame.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Number_policy.h>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // Advance from p to q, two points of an arc of at most a half turn with the given chord, from its start to its end. For near
 // points, the value is the length between them, with a sign that is exact up to the rounding of the points; it increases with
@@ -41,8 +39,6 @@ Point_in_face<FT> middle_on_circle(const Point_in_face<FT>& center, const FT& ra
   return center + (radius / length(u)) * u;
 }
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

@@ -18,9 +18,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // The range of windows that start inside a face.
 template <class FT>
@@ -240,8 +238,6 @@ private:
   bool m_has_local_sources = false;
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

@@ -17,9 +17,7 @@
 #include <map>
 #include <vector>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // First part of the shortest path from a vertex: its direction, and its end, the pseudo-source. Without a pseudo-source, the
 // path is straight up to the source.
@@ -174,8 +172,6 @@ private:
   void (Geodesic_field::*m_add_earlier)(Index, Window_list<FT>&, Window_arena<Window>&) = nullptr;
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

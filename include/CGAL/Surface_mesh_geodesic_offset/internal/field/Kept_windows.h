@@ -29,9 +29,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // Lengths of the paths to a point of a face through the windows that enter the face.
 template <class FT>
@@ -404,8 +402,6 @@ private:
   std::vector<Index> m_begin; // four per face: begin of the windows per halfedge, and end
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

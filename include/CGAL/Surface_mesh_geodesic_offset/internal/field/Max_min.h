@@ -15,9 +15,7 @@
 #include <array>
 #include <vector>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // Each function is given by its values at the corners, so the maximum is the value of a matrix game. Every convex combination
 // of the functions is an upper bound, whatever the rounding of its coefficients. An optimal combination has at most three
@@ -143,8 +141,6 @@ private:
   int m_size = 0;
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

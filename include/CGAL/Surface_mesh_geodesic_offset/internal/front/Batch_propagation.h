@@ -25,9 +25,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 template <class Traits>
 class Batch_propagation
@@ -306,8 +304,6 @@ private:
   std::vector<Apex_ray> m_apex_ray; // of windows that cover the apex
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

@@ -13,9 +13,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // This class ignores the faces. `Team`: the threads that may help. An interface, so that there is one front for all consumers;
 // its functions are called once per bucket or less often.
@@ -47,8 +45,6 @@ public:
   virtual void process_pending(const std::vector<Index>& faces, const FT& settled, Team&) { (void)faces, (void)settled; }
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

@@ -18,9 +18,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // Finalized faces, and hidden vertices. A hidden vertex is given by the halfedge that starts at it, in the face in which it was
 // found.
@@ -115,8 +113,6 @@ private:
   const Merging_tolerance<FT> m_tolerance;
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

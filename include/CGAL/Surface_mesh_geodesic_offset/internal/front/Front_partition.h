@@ -17,9 +17,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 class Front_partition
 {
@@ -75,8 +73,6 @@ private:
   std::vector<std::uint8_t> m_vertex; // parts, and bits
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

@@ -8,9 +8,7 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // Parts of a propagation, as bits: the search for the farthest point, merging within a tolerance, and windows that are kept.
 enum Build_part : unsigned { NO_PARTS = 0, SEARCH = 1, MERGING = 2, KEPT_WINDOWS = 4, ALL_PARTS = 7 };
@@ -24,8 +22,6 @@ struct Front_traits : Traits
   explicit Front_traits(const Traits& traits) : Traits(traits) {}
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

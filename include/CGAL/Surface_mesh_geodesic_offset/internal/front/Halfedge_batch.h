@@ -25,9 +25,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 template <class Traits>
 class Halfedge_batch
@@ -107,8 +105,6 @@ private:
   FT m_nearest_gap;
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

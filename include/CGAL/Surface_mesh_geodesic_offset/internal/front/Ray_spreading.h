@@ -17,9 +17,7 @@
 
 #include <algorithm>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 template <class Traits>
 class Ray_spreading
@@ -261,8 +259,6 @@ private:
   Vertex_sector<FT> m_sector;
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

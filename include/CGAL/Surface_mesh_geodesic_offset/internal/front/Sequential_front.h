@@ -21,9 +21,7 @@
 
 #include <vector>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // Processes the list of a halfedge: reduces it to its lower envelope if required, and propagates new windows. `front` receives
 // the results: the state, or messages for later.
@@ -114,8 +112,6 @@ private:
   Halfedge_batch<Traits> m_batch;
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

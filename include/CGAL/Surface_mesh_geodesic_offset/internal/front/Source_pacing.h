@@ -14,9 +14,7 @@
 #include <algorithm>
 #include <cstddef>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 template <class FT>
 class Source_pacing
@@ -47,8 +45,6 @@ private:
   FT m_last = FT(-1), m_next = FT(0);
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

@@ -21,9 +21,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 struct Wavefront_counts
 {
@@ -463,8 +461,6 @@ private:
   std::size_t m_current = 0;
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

@@ -22,9 +22,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 struct Merging_counts
 {
@@ -397,8 +395,6 @@ struct No_merging
   Merging_counts counts() const { return Merging_counts(); }
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

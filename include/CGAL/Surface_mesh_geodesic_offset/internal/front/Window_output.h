@@ -15,9 +15,7 @@
 
 #include <vector>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 template <class FT, class Window>
 class Window_output
@@ -76,8 +74,6 @@ private:
   FT m_nearest = FT(0);
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

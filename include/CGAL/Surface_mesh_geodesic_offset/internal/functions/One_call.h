@@ -18,9 +18,7 @@
 
 #include <memory>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // A vertex, a location or a point in space, classified on the mesh.
 template <class Mesh, class From>
@@ -80,8 +78,6 @@ private:
   const NamedParameters& m_np;
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

@@ -26,9 +26,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // Levels from a distance, a range of distances, or an Offset_levels object.
 template <class Surface, class Levels>
@@ -129,10 +127,9 @@ void propagate_and_cut(const Geodesic_mesh_data<Surface>& mesh, Build& build,
                        const Offset_levels<typename Surface::Number>& levels, const Offset_selection& selection, Function& f)
 {
   Curve_output<Surface, Function> output(mesh.shared_surface, build, levels, f);
-  cut_finalized_faces<Concurrency_tag, Build::parts_for(parts)>(mesh.unfolded(), build, mesh.traits, {levels, selection},
-                                                                [&](std::size_t level, auto&& cut) {
-    output.add(level, std::move(cut));
-  });
+  cut_finalized_faces<Concurrency_tag, Build::parts_for(parts)>(
+    mesh.unfolded(), build, mesh.traits, {levels, selection},
+    [&](std::size_t level, auto&& cut) { output.add(level, std::move(cut)); });
   output.finish();
 }
 
@@ -157,8 +154,6 @@ void cut_offset_curves(const Geodesic_mesh_data<Surface>& mesh, const Build& bui
   propagate_and_cut<Concurrency_tag, MERGING>(mesh, second_build, levels, selection, f);
 }
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

@@ -16,9 +16,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // A vector whose push_back() is inlined: compilers call that of std::vector, which costs as much as the copy of a window. clear()
 // has no branch, unlike that of std::vector, and does not destroy elements.
@@ -95,8 +93,6 @@ private:
   T *m_end, *m_last; // end of the sequence and of the storage
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

@@ -13,9 +13,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // Forced inline: the compiler would drop a call of a function without effects. The address may be invalid.
 BOOST_FORCEINLINE void prefetch(const void* p)
@@ -39,8 +37,6 @@ BOOST_FORCEINLINE void prefetch_element(const T* first, std::size_t i)
   prefetch(reinterpret_cast<const void*>(reinterpret_cast<std::uintptr_t>(first) + i * sizeof(T)));
 }
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

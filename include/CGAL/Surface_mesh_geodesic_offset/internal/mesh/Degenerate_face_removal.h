@@ -25,9 +25,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 /*
 A triangle is degenerate if Unfolded_mesh rejects it (it has no area), or if its height, that of its middle corner above its longest
@@ -542,8 +540,6 @@ private:
   std::size_t m_merged_points = 0, m_collapsed_faces = 0, m_shortened_faces = 0, m_flipped_faces = 0, m_dropped_faces = 0;
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

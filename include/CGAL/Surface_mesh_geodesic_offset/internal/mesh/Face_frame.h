@@ -17,9 +17,7 @@
 #include <algorithm>
 #include <array>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 template <class FT>
 struct Point_in_face
@@ -144,8 +142,6 @@ private:
   Per_corner<FT> m_length;
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

@@ -16,9 +16,7 @@
 
 #include <array>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // Indices of the mesh. The halfedges of a face are numbered from halfedge(f).
 struct Face_links
@@ -38,8 +36,6 @@ struct Face_links
 
 typedef boost::container::vector<Face_links> All_face_links; // by face index
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

@@ -17,9 +17,7 @@
 #include <functional>
 #include <vector>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 class Index_renumbering
 {
@@ -58,9 +56,7 @@ private:
   std::vector<Index> m_vertex, m_face; // by mesh index; empty: identity
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #ifndef CGAL_GEODESIC_OFFSET_COMPILED
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Index_renumbering_impl.h>

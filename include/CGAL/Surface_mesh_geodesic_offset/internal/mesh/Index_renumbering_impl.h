@@ -15,9 +15,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // True if the indices of neighbours are often far apart, from a sample of faces.
 inline bool Index_renumbering::is_scattered(const All_face_links& links)
@@ -67,8 +65,6 @@ void Index_renumbering::renumber_if_scattered(const All_face_links& links, const
     if (f != no_index) f = first[f]++;
 }
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

@@ -12,9 +12,7 @@
 
 #include <vector>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // A layout has a function functor(), whose result is called with a face and its vertices, and returns an array of lengths and
 // apices; see SurfaceMeshGeodesicOffsetTraits::Construct_apices_2.
@@ -42,8 +40,6 @@ private:
   const Traits& m_traits;
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

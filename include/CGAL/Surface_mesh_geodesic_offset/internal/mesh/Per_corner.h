@@ -13,9 +13,7 @@
 #include <array>
 #include <cstddef>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // std::array<T, 3>, the type of barycentric coordinates in the interface, with an index of any integer type: corners are
 // numbered by `int`.
@@ -51,8 +49,6 @@ private:
   T m_value[3];
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

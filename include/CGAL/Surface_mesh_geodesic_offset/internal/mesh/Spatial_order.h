@@ -25,9 +25,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 class Spatial_order
 {
@@ -116,8 +114,6 @@ private:
   std::vector<Item> m_items;
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

@@ -18,9 +18,7 @@
 #include <optional>
 #include <utility>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // Concurrent queries are safe. On a mesh without faces, all functions throw std::invalid_argument. Isolated vertices are
 // ignored. `Number`: that of the unfolded mesh.
@@ -58,9 +56,7 @@ private:
   const std::unique_ptr<Search> m_search;
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #ifndef CGAL_GEODESIC_OFFSET_COMPILED
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Surface_locator_impl.h>

@@ -37,9 +37,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // Nearest point of a segment to a point p, by its parameter in [0, 1], and its distance from p.
 template <class Kernel>
@@ -505,8 +503,6 @@ typename Kernel::FT Surface_locator<Kernel, Number>::default_tolerance() const
   return Number_policy<FT>::rounding(64) * FT(m_search->largest_coordinate());
 }
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

@@ -21,9 +21,7 @@
 #include <variant>
 #include <vector>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 template <class FT>
 struct Surface_point
@@ -266,8 +264,6 @@ Point_in_face<FT> vector_in_face(const Unfolded_mesh<FT>& mesh, const Surface_po
   return FT(-1) * frame.vector_from_halfedge(int(mesh.twin(p.element) % 3), v);
 }
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

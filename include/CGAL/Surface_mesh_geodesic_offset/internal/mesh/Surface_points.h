@@ -12,9 +12,7 @@
 
 #include <cstddef>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // Indices are those of the unfolded mesh. Several threads call these functions at the same time.
 template <class Kernel>
@@ -30,8 +28,6 @@ struct Surface_points
   virtual std::size_t mesh_index_of_face(Index f) const = 0;
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

@@ -26,9 +26,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 template <class FT>
 struct Unfolded_halfedge
@@ -232,9 +230,7 @@ private:
   std::vector<std::pair<Index, Index>> m_more_fans; // (vertex, first corner), sorted
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #ifndef CGAL_GEODESIC_OFFSET_COMPILED
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Unfolded_mesh_impl.h>

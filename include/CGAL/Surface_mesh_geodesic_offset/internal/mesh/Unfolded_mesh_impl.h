@@ -25,9 +25,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // Atomic minimum.
 inline void lower_to(Index& number, Index i) { number = (std::min)(number, i); }
@@ -269,8 +267,6 @@ void Unfolded_mesh<FT>::keep_within_range(FT& x, FT& y)
   }
 }
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

@@ -16,9 +16,7 @@
 #include <algorithm>
 #include <cstdint>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 template <class FT>
 inline FT cross(const FT& ax, const FT& ay, const FT& bx, const FT& by)
@@ -338,8 +336,6 @@ private:
   const Unfolded_mesh<FT>* m_mesh;
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

@@ -15,9 +15,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // P: any type with x(), y() and z(). Returns p itself if no conversion is needed.
 template <class Point_3, class FT, class P>
@@ -63,8 +61,6 @@ constexpr bool has_points_in_space<T, std::void_t<decltype(*std::begin(std::decl
   (!std::is_same<std::decay_t<decltype(*std::begin(std::declval<const T&>()))>, T>::value &&
    has_points_in_space<std::decay_t<decltype(*std::begin(std::declval<const T&>()))>>);
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

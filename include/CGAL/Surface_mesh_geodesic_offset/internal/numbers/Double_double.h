@@ -10,9 +10,7 @@
 
 #include <cmath>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // With rounding to nearest and u = 2^-53, products, quotients and roots have relative errors of at most 8 u^2, sums 8 u^2
 // relative to the larger operand (Dekker 1971; Joldes, Muller and Popescu 2017). |low| <= u |high|.
@@ -129,8 +127,6 @@ struct Double_double_2
   Double_double x, y;
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

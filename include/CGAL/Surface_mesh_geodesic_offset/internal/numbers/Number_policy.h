@@ -21,9 +21,7 @@
 #define CGAL_GEODESIC_OFFSET_HAS_SSE2
 #endif
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 typedef std::uint32_t Index;
 constexpr Index no_index = 0xffffffffu;
@@ -109,8 +107,6 @@ inline double square_root<double>(const double& x)
 }
 #endif
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

@@ -23,9 +23,7 @@
 #define CGAL_GEODESIC_OFFSET_FAST_MATH
 #endif
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 inline bool rounds_to_nearest() { return std::fegetround() == FE_TONEAREST; }
 
@@ -45,8 +43,6 @@ inline bool rounds_correctly()
          second == 3. / 49;
 }
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

@@ -15,9 +15,7 @@
 #include <cmath>
 #include <type_traits>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // A number of another type, rounded to double if the types differ.
 template <class To, class From>
@@ -59,8 +57,6 @@ NT order_of_angle(const NT& x, const NT& y)
   return CGAL::is_negative(y) ? NT(-2) - height : NT(2) - height;
 }
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

@@ -12,9 +12,7 @@
 
 #include <cstddef>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 template <class FT>
 struct Crossing
@@ -29,8 +27,6 @@ struct Crossing
   bool starts_chain(bool reversed) const { return falling == reversed; }
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

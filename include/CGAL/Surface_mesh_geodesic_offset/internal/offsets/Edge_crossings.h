@@ -14,9 +14,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Offset_sources.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Vertex_reach.h>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 template <class FT>
 class Edge_crossings
@@ -85,8 +83,6 @@ private:
   Near_intervals<FT> m_near;
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

@@ -24,9 +24,7 @@
 #include <unordered_map>
 #include <vector>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 template <class FT>
 class Edge_joining
@@ -108,8 +106,6 @@ private:
   std::unordered_map<Index, std::vector<Gate_on_edge>> m_gates; // by the smaller halfedge of the edge
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

@@ -24,9 +24,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // Computes in `double` for all number types.
 template <class FT>
@@ -124,9 +122,7 @@ private:
   std::vector<Index> m_cells;                 // of the part of the last polyline
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #ifndef CGAL_GEODESIC_OFFSET_COMPILED
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Inner_sides_impl.h>

@@ -18,9 +18,7 @@
 #include <optional>
 #include <tuple>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 template <class FT>
 Inner_sides<FT>::Inner_sides(const Unfolded_mesh<FT>& mesh, const Source_set<FT>& sources) : m_mesh(mesh)
@@ -439,8 +437,6 @@ std::map<std::size_t, Geodesic_inner_side> Inner_sides<FT>::operator()()
   return result;
 }
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

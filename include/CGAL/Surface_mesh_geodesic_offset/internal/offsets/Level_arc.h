@@ -19,9 +19,7 @@
 
 #include <algorithm>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 template <class FT>
 class Level_arc
@@ -220,8 +218,6 @@ private:
   Point m_start, m_end;
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

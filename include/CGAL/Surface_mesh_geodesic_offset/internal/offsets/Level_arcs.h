@@ -26,9 +26,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 template <class FT>
 class Level_arcs
@@ -327,8 +325,6 @@ private:
   Box_tree<FT> m_boxes;        // of the arcs
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

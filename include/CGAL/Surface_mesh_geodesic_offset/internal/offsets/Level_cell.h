@@ -21,9 +21,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // A crossing of the level with a side of a cell. A chain starts at a gate where the distance rises above the level,
 // counterclockwise along the boundary.
@@ -141,8 +139,6 @@ struct Level_cell
   }
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

@@ -18,9 +18,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // Consumer of Wavefront::run() that cuts faces at all levels. Calls the output for each level that is complete and has curves.
 template <class FT, class Team>
@@ -102,8 +100,6 @@ private:
   double m_seconds_within_propagation = 0; // of cutting and output
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

@@ -18,9 +18,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // Pieces to expect, and the faces that levels may cross, each counted once per level.
 struct Expected_pieces
@@ -181,8 +179,6 @@ private:
   double m_pieces_per_crossing = first_pieces_per_crossing;
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

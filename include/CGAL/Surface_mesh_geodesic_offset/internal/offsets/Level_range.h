@@ -10,9 +10,7 @@
 
 #include <cstddef>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 struct Level_range
 {
@@ -21,8 +19,6 @@ struct Level_range
   std::size_t size() const { return is_empty() ? 0 : last - first; }
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

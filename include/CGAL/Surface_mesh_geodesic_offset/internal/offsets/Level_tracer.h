@@ -26,9 +26,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 template <class FT>
 class Level_tracer
@@ -122,10 +120,10 @@ private:
     }
     const auto crossings =
       [this](const Point& o, const Point& u, const FT& length, bool near_at_o, bool near_at_end, const auto& out) {
-      m_near.start(length, m_arcs.reach(), m_arcs.level());
-      m_arcs.for_each_window([&](const Face_window<FT>& w) { this->m_near.add_window(w, o, u, false); });
-      m_near.for_each_end(near_at_o, near_at_end, out);
-    };
+        m_near.start(length, m_arcs.reach(), m_arcs.level());
+        m_arcs.for_each_window([&](const Face_window<FT>& w) { this->m_near.add_window(w, o, u, false); });
+        m_near.for_each_end(near_at_o, near_at_end, out);
+      };
     const std::pair<Cell, Cell> parts = cell.divided(crossings, [this] { return inner_gate | m_inner_gates++; });
     ++m_divisions;
     trace(parts.first, search_loops);
@@ -276,8 +274,6 @@ private:
   std::size_t m_forced = 0, m_crossed = 0;
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

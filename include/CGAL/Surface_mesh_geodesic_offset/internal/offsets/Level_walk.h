@@ -23,9 +23,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // Chains of pieces between gates, and loops.
 template <class FT>
@@ -434,8 +432,6 @@ private:
   std::vector<std::size_t> m_last_followed; // per arc
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

@@ -14,9 +14,7 @@
 #include <map>
 #include <optional>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 struct Offset_selection
 {
@@ -47,8 +45,6 @@ struct Offset_selection
   }
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

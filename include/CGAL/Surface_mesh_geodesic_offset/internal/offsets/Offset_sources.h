@@ -20,9 +20,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // All parts of a source have the same bound, so that its offset is found as a whole.
 template <class FT>
@@ -73,8 +71,6 @@ private:
   FT m_largest_bound = FT(0);
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

@@ -11,9 +11,7 @@
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Number_policy.h>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // All values are lengths. The magnitude of a level in a face is the level plus the longest edge of the faces around its corners
 // (Vertex_reach). It bounds the coordinates of the images whose arcs cross the face, there and in the last faces of their
@@ -126,8 +124,6 @@ private:
   static FT unit(int bits) { return Number_policy<FT>::rounding(double(1 << bits)); }
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

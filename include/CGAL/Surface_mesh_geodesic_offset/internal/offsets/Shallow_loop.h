@@ -17,9 +17,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 template <class FT>
 class Shallow_loop
@@ -199,8 +197,6 @@ private:
   const std::vector<FT>& m_distance;
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

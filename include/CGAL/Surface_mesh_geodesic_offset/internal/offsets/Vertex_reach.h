@@ -14,9 +14,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // Per vertex, the longest edge of the faces around it. Zero for exact numbers, which have no rounding.
 template <class FT>
@@ -48,8 +46,6 @@ private:
   std::vector<FT> m_reach;
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

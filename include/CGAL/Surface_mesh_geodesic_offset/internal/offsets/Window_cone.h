@@ -15,9 +15,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // The half-plane { p : n . p < m }, n a unit vector.
 template <class FT>
@@ -138,8 +136,6 @@ private:
   typename Estimates::Bound m_highest;
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

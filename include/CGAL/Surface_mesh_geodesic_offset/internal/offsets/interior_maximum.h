@@ -13,9 +13,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // False only if the directions of all rays in the face lie in an open half-plane, as the distance then grows along their middle
 // direction. (Corner functions count only where shortest paths continue behind the corner; elsewhere they are never below the
@@ -52,8 +50,6 @@ bool may_have_interior_maximum(const Face_field<FT>& field)
   return false;
 }
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

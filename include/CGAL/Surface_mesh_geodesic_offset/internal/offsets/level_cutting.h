@@ -17,9 +17,7 @@
 #include <functional>
 #include <vector>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 template <class FT>
 struct Level_curve
@@ -51,9 +49,7 @@ template <class Concurrency_tag, unsigned parts, class Traits>
 void cut_finalized_faces(const Unfolded_mesh<typename Traits::FT>& mesh, Geodesic_build<Traits>& build, const Traits& traits,
                          const Level_request<typename Traits::FT>& request, const Level_output<typename Traits::FT>& out);
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #ifndef CGAL_GEODESIC_OFFSET_COMPILED
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/level_cutting_impl.h>

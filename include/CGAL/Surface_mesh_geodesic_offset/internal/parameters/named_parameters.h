@@ -16,9 +16,7 @@
 
 #include <type_traits>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // List of the tags of named parameters.
 template <class... Tags>
@@ -125,8 +123,6 @@ bool is_closed_of(const NamedParameters& np, bool otherwise)
 template <class NamedParameters>
 using Concurrency_tag_of = Parameter_type<internal_np::concurrency_tag_t, NamedParameters, Sequential_tag>;
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

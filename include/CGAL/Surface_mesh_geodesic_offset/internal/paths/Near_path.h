@@ -18,9 +18,7 @@
 #include <map>
 #include <vector>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // Output of Path_tracing that sums up the lengths of the pieces of a path. Each piece is measured in a face that contains both
 // of its ends.
@@ -205,8 +203,6 @@ Path_start<FT> Near_path<FT>::operator()(const Located_point<FT>& p, Suffix_cach
   return start;
 }
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

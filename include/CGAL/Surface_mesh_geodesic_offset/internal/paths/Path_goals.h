@@ -22,9 +22,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 template <class FT>
 class Path_goals
@@ -193,7 +191,7 @@ public:
     search_at_corner(
       m_mesh.face(h),
       [&](const Face_frame<FT>& frame, const Point& corner) {
-      return way_in(frame, frame.from_halfedge(edge, p), corner, frame.vector_from_halfedge(edge, direction), start.length());
+        return way_in(frame, frame.from_halfedge(edge, p), corner, frame.vector_from_halfedge(edge, direction), start.length());
       },
       arrival);
     if (arrival.is_of_known_source()) return {at_v, arrival.end.source_ref};
@@ -208,10 +206,10 @@ public:
         search_at_corner(
           face,
           [&](const Face_frame<FT>& f, const Point& corner) {
-          const Index to = corner_at(v, face);
-          Point u = back;
-          if (!Number_policy<FT>::is_inexact || !turn_to_corner(m_mesh, from, to, ccw, u)) return way_at(corner);
-          return way_in(f, corner, corner, FT(-1) * f.vector_from_halfedge(int(to % 3), u), start.length());
+            const Index to = corner_at(v, face);
+            Point u = back;
+            if (!Number_policy<FT>::is_inexact || !turn_to_corner(m_mesh, from, to, ccw, u)) return way_at(corner);
+            return way_in(f, corner, corner, FT(-1) * f.vector_from_halfedge(int(to % 3), u), start.length());
           },
           around);
     if (around.is_found()) return {at_v, around.end.source_ref};
@@ -527,8 +525,6 @@ private:
   const Geodesic_field<FT>& m_field;
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

@@ -17,9 +17,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // Crossings as points in space, computed at once while the processor would wait for the next step of the walk.
 template <class Kernel>
@@ -82,8 +80,6 @@ private:
   Passed_points<Kernel> m_passed;
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

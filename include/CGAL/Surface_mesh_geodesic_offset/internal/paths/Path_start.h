@@ -11,9 +11,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Surface_point.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window.h>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // The first straight part of the shortest path from a point, by a window, a corner of the face, or the backtrace of a vertex.
 // All query results derive from this choice. In the frame of `halfedge`, the path runs straight from `from` to `to`, the image
@@ -50,8 +48,6 @@ struct Path_start
   }
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

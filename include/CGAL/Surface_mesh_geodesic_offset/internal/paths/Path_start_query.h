@@ -16,9 +16,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Straight_walk.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/window_allowance.h>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // Finds the Path_start of a point. The distances of the field must be final.
 template <class FT>
@@ -365,8 +363,6 @@ private:
   const Geodesic_field<FT>& m_field;
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

@@ -22,9 +22,7 @@
 #include <new>
 #include <type_traits>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // End of a straight suffix: a vertex on the path, or a source.
 template <class FT>
@@ -164,8 +162,6 @@ struct No_suffix_cache
   static constexpr bool keeps = false;
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

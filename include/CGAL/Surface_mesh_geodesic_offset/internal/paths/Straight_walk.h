@@ -14,9 +14,7 @@
 
 #include <array>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // Edges and corners of the face are counted from the halfedge of the frame: edge k goes from corner k to corner k + 1. The next
 // edge is unpredictable, so data are read by index, without branches.
@@ -117,8 +115,6 @@ private:
   Per_corner<Point> m_corner, m_direction; // m_direction: x axes of the frames of the twins
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

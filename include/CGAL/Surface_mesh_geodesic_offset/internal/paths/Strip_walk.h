@@ -20,9 +20,7 @@
 #include <algorithm>
 #include <cstddef>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // The strip of faces is unfolded such that the path runs from the origin along the x axis. The height of one vertex determines
 // the next edge, so the walk waits only for the direction of this edge.
@@ -166,8 +164,6 @@ private:
   Point m_end[2], m_direction, m_apex;
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

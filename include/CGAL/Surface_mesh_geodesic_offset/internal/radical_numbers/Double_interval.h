@@ -16,9 +16,7 @@
 #include <cstring>
 #include <limits>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // Interval with double bounds. Each rounded result is widened by one unit in the last place. In every rounding mode,
 // the rounded result is one of the two neighbours of the exact one, so the arithmetic neither depends on the mode nor
@@ -104,8 +102,6 @@ private:
   }
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

@@ -16,9 +16,7 @@
 #include <cstdint>
 #include <stdexcept>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // Interval with bounds of a chosen precision, rounded outwards by MPFR. Each operation writes its result into *this,
 // which must not be an operand.
@@ -179,8 +177,6 @@ Multiprecision_interval interval_of(const Radical_sum& a, mpfr_prec_t bits, cons
   return sum;
 }
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

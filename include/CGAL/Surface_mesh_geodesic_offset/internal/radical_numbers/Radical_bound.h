@@ -21,9 +21,7 @@
 #include <optional>
 #include <unordered_map>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 class Radical_bound
 {
@@ -93,8 +91,6 @@ private:
   bool m_is_unknown = false;
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

@@ -29,9 +29,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // True if two expressions apply the same operations to the same constants, as those of a number that is computed twice
 // in the same way.
@@ -320,8 +318,6 @@ private:
   std::vector<Indeterminate> m_indeterminates; // a square root comes after the indeterminates in its square
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

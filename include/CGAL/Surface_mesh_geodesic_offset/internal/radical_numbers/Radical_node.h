@@ -28,9 +28,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 enum class Radical_operation : std::uint8_t {
   RATIONAL,    // constant
@@ -266,8 +264,6 @@ private:
   std::unique_ptr<Radical_quotient> m_closed_form;
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

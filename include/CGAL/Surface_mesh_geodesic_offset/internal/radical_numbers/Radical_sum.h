@@ -22,9 +22,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // without expression templates, so that the type of each expression is its value's
 typedef boost::multiprecision::number<boost::multiprecision::gmp_int, boost::multiprecision::et_off> Big_integer;
@@ -312,8 +310,6 @@ private:
   std::vector<Radical_term> m_terms; // sorted, no two alike, no factor zero
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

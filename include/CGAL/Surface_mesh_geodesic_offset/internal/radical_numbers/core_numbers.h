@@ -14,9 +14,7 @@
 
 #include <type_traits>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // Core_number is CORE::BigInt for an integer of Boost, CORE::BigRat for a rational.
 template <class Core_number, class Number>
@@ -39,8 +37,6 @@ Big_rational rational_of_core(const Core_rational& q)
   }
 }
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

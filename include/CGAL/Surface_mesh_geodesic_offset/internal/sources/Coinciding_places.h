@@ -16,9 +16,7 @@
 #include <map>
 #include <tuple>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // A point gets the number of the first known point within the tolerance in one of its faces, or else a new one: so points of
 // one number are no farther apart than twice the tolerance, however many there are. The points of a face are found in a grid of
@@ -78,8 +76,6 @@ private:
   Index m_size = 0;
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

@@ -16,9 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 template <class FT>
 class Source_set
@@ -63,9 +61,7 @@ private:
   std::map<std::size_t, Source> m_sources;
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #ifndef CGAL_GEODESIC_OFFSET_COMPILED
 #include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Source_set_impl.h>

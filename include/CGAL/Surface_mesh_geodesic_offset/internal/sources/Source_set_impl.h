@@ -11,9 +11,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Segment_seeding.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Source_set.h>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 template <class FT>
 void Source_set<FT>::start(const Unfolded_mesh<FT>& mesh, const Source& s, Index id, Initial_windows<FT>& initial)
@@ -44,8 +42,6 @@ Initial_windows<FT> Source_set<FT>::initial_windows(const Unfolded_mesh<FT>& mes
   return initial;
 }
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

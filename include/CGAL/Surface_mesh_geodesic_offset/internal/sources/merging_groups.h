@@ -20,9 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // The windows of two segments in line have the same distances, but where one of them is a segment of another source, too, or a
 // point of it up to rounding, they may be of different cells of the Voronoi diagram, so such segments are groups of their own.
@@ -62,8 +60,6 @@ std::vector<Index> merging_groups(const Unfolded_mesh<FT>& mesh, const Initial_w
   return group;
 }
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

@@ -27,9 +27,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // The triangulation is that of exact points, of which those on edges are exactly there, so that the triangles of two faces have
 // the same points on their common edge. Where chords cross all the same, arcs are divided further.
@@ -274,8 +272,6 @@ private:
   std::vector<Split_edge> m_edges;
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

@@ -30,9 +30,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 template <class TriangleMesh, class VertexPointMap, class Curve>
 class Mesh_splitting
@@ -446,8 +444,6 @@ private:
   typename boost::property_map<TriangleMesh, Face_tag>::type m_number_at; // 1 + index in m_faces
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

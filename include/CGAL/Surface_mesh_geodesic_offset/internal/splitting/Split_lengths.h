@@ -21,9 +21,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 struct Split_lengths
 {
@@ -64,8 +62,6 @@ struct Split_lengths
   }
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

@@ -10,9 +10,7 @@
 
 #include <cstddef>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // A piece of a curve between two points of Split_points, with the index of its level. `arc` is null for a straight piece.
 template <class Piece>
@@ -28,8 +26,6 @@ struct Split_edge
   std::size_t from, to, level;
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

@@ -25,9 +25,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // A face in the plane, with its corners in the order of its halfedges from halfedge(f) on: the first at the origin, the second on
 // the x axis, the third above.
@@ -361,8 +359,6 @@ private:
   typename boost::property_map<TriangleMesh, Edge_tag>::type m_number_at; // 1 + index in m_edges; 0 if none
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

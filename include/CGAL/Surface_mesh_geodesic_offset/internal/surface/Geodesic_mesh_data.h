@@ -21,9 +21,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // The map as the type that the class has for it.
 template <class Map, class Given>
@@ -176,8 +174,6 @@ struct Field_access
   }
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

@@ -30,9 +30,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // Instead of a map of lengths: the mesh has points.
 struct No_lengths
@@ -394,8 +392,8 @@ private:
     numbers.renumber_if_scattered(
       links, indices,
       [&](std::size_t i) {
-      const auto& p = get(vpm, all_vertices[i]);
-      return Per_corner<double>(finite(p.x()), finite(p.y()), finite(p.z()));
+        const auto& p = get(vpm, all_vertices[i]);
+        return Per_corner<double>(finite(p.x()), finite(p.y()), finite(p.z()));
       },
       team);
   }
@@ -431,8 +429,6 @@ private:
   }
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

@@ -14,9 +14,7 @@
 #include <variant>
 #include <vector>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // Calls out(p) for the start p of a path, and out(crossing) or out(surface point) for the elements that it meets; nothing if p is
 // not reached.
@@ -60,8 +58,6 @@ private:
   Visitor& m_visitor;
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

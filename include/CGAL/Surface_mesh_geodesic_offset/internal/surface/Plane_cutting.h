@@ -28,9 +28,7 @@
 #include <unordered_map>
 #include <vector>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 template <class Surface, class Plane_3>
 class Plane_cutting
@@ -221,8 +219,6 @@ private:
   std::unordered_map<Index, std::size_t> m_node_of_edge, m_node_of_vertex;
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

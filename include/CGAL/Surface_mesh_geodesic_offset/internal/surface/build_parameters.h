@@ -17,9 +17,7 @@
 #include <string>
 #include <type_traits>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // Reads the named parameters; locate(target) is the location of a target on the surface.
 // \throws std::invalid_argument if a number is out of range
@@ -66,8 +64,6 @@ constexpr unsigned build_parts_of =
      : NO_PARTS) |
   (has_parameter<internal_np::geodesic_keep_windows_t, NamedParameters> ? KEPT_WINDOWS : NO_PARTS);
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

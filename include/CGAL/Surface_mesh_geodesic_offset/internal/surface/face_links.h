@@ -20,9 +20,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // Precondition: all face indices are less than `end`.
 template <class TriangleMesh, class Faces, class VertexIndexMap, class FaceIndexMap, class Team>
@@ -52,8 +50,6 @@ All_face_links face_links(const TriangleMesh& tm, const Faces& faces, const Vert
   return links;
 }
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

@@ -13,9 +13,7 @@
 
 #include <cmath>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // Angle in degrees, from 0 to 180, rounded. It is computed from the heights of the two faces over the common edge, which
 // are orthogonal to the edge, so the error is about 1e-14 also near 0 and 180, where a cosine is ill-conditioned, and in
@@ -38,8 +36,6 @@ double angle_of_normals(const Surface& surface, typename Surface::halfedge_descr
   return std::atan2(sine, CGAL::to_double(n * m)) * 180 / CGAL_PI;
 }
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

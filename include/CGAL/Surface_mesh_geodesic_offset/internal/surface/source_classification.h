@@ -17,9 +17,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // \throws std::invalid_argument if the source is empty, a location or an edge is not one of the mesh, or the start value is not
 // a finite number or is negative
@@ -109,8 +107,6 @@ std::vector<std::size_t> add_checked(const Geodesic_mesh_data<Surface>& mesh, Us
   return ids;
 }
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

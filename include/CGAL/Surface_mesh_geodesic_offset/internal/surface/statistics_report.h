@@ -13,9 +13,7 @@
 
 #include <iostream>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // Writes one line to std::clog if the parameters have verbose(true).
 template <class NamedParameters>
@@ -28,8 +26,6 @@ void report(const Geodesic_offset_statistics& s, const NamedParameters& np)
                 << " s\n";
 }
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

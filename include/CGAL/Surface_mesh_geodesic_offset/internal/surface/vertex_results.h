@@ -14,9 +14,7 @@
 #include <cstddef>
 #include <limits>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // Label of vertices without a distance.
 constexpr std::size_t no_source_label = (std::numeric_limits<std::size_t>::max)();
@@ -41,8 +39,6 @@ void write_source_labels(const Geodesic_mesh_data<Surface>& mesh, const Build& b
   }
 }
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

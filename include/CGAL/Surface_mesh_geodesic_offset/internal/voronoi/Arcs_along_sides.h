@@ -18,9 +18,7 @@
 #include <optional>
 #include <vector>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // Where a bisector runs along a side, the label of the side is that of one of the two cells, or a third one that ties there; it
 // is the same for both cells. So the arc belongs to the cell whose label is not that of the side.
@@ -152,8 +150,6 @@ private:
   Label_changes<NT> m_changes;
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

@@ -15,9 +15,7 @@
 #include <cmath>
 #include <utility>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // The paths to the points of an arc on one side of it.
 struct Bisector_side
@@ -114,8 +112,6 @@ struct Bisector_arc
   }
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

@@ -13,9 +13,7 @@
 #include <cmath>
 #include <limits>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // A point of a face and its distance.
 template <class NT>
@@ -252,8 +250,6 @@ private:
   bool m_has_inverse, m_is_ray;
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

@@ -17,9 +17,7 @@
 #include <unordered_map>
 #include <vector>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // Where three arcs or more meet. The place is that of the end of an arc.
 template <class NT>
@@ -55,9 +53,7 @@ template <class NT, class FT>
 Bisector_diagram<NT> find_bisectors(const Unfolded_mesh<FT>& mesh, const Initial_windows<FT>& initial,
                                     const Geodesic_field<FT>& field);
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #ifndef CGAL_GEODESIC_OFFSET_COMPILED
 #include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Bisector_diagram_impl.h>

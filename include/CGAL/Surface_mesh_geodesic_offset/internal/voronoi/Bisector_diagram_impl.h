@@ -18,9 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 template <class NT, class FT>
 Bisector_diagram<NT> find_bisectors(const Unfolded_mesh<FT>& mesh, const Initial_windows<FT>& initial,
@@ -90,8 +88,6 @@ Bisector_diagram<NT> find_bisectors(const Unfolded_mesh<FT>& mesh, const Initial
   return diagram;
 }
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

@@ -19,9 +19,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // The bisector of two windows of different sources belongs to the diagram where it is in the cell and in both cones, and where no
 // other window is nearer. Each of these conditions is quadratic in the parameter of the bisector.
@@ -233,8 +231,6 @@ private:
   const NT m_radius;
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

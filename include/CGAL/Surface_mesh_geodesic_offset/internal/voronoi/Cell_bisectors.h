@@ -22,9 +22,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // Arcs are connected by the proximity of their ends and of the gates. The result counts only if every gate and every end of an
 // arc has a partner between the same sources, or is one of several around a point of as many sources. Otherwise the caller
@@ -155,11 +153,11 @@ private:
     // Arcs within a cluster do not count, nor arcs that lie on earlier ones: along a common bound of the cones of two windows with
     // one image.
     for (auto& members : m_clusters)
-      members.erase(std::remove_if(
-                      members.begin(), members.end(),
-                      [&](std::size_t e) {
-        return !m_ends[e].is_gate && (this->is_within_cluster(m_ends[e].arc) || this->repeats_another(m_ends[e].arc));
-                      }),
+      members.erase(std::remove_if(members.begin(), members.end(),
+                                   [&](std::size_t e) {
+                                     return !m_ends[e].is_gate &&
+                                            (this->is_within_cluster(m_ends[e].arc) || this->repeats_another(m_ends[e].arc));
+                                   }),
                     members.end());
   }
 
@@ -364,8 +362,6 @@ private:
   Arc_end_motion<NT> m_motion;
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

@@ -23,9 +23,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 template <class NT, class FT>
 class Face_bisectors
@@ -172,7 +170,7 @@ public:
       }
       auto halves = part.cell.divided(
         [&](const Point& o, const Point& u, NT size, Index first, Index last, const auto& add) {
-        m_changes(o, u, size, first, last, m_windows, inside, part.near, m_tolerances, m_cell.center(), add);
+          m_changes(o, u, size, first, last, m_windows, inside, part.near, m_tolerances, m_cell.center(), add);
         },
         new_node);
       Part second = part;
@@ -422,8 +420,6 @@ private:
   std::size_t m_number_of_divisions = 0, m_number_of_forced_cells = 0;
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

@@ -20,9 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 template <class NT>
 class Face_cells
@@ -113,8 +111,6 @@ private:
   std::vector<Voronoi_window<NT>> m_windows;
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

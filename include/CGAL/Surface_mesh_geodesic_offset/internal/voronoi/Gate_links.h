@@ -19,9 +19,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // Where rounding decides which windows are nearest, the intervals of bisectors may contradict each other. The distances
 // themselves do not: from each source, the least path length through a window of the cell is a continuous function. So gates
@@ -264,8 +262,6 @@ private:
   std::vector<Bisector_arc<NT>> m_arcs;
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

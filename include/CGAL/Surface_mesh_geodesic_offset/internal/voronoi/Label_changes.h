@@ -23,9 +23,7 @@
 #include <optional>
 #include <vector>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 template <class NT>
 struct Label_change
@@ -305,8 +303,6 @@ private:
   std::vector<Change> m_changes;
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

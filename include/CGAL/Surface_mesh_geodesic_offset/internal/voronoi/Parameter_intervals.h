@@ -17,9 +17,7 @@
 #include <limits>
 #include <utility>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 template <class NT>
 class Parameter_intervals
@@ -109,8 +107,6 @@ private:
   Intervals m_intervals; // in order
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

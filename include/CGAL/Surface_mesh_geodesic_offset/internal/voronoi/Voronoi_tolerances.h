@@ -17,9 +17,7 @@
 #include <cstddef>
 #include <limits>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // All values are lengths. The magnitude of a face is its longest edge plus the largest distance at the ends of the chords of its
 // windows, which bounds the coordinates of their images. Binding test: test_voronoi_diagram.
@@ -131,8 +129,6 @@ private:
   static NT unit(int bits) { return NT(1 << bits) * std::numeric_limits<NT>::epsilon(); }
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

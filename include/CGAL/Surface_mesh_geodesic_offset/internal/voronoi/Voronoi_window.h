@@ -22,9 +22,7 @@
 #include <optional>
 #include <vector>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 template <class NT>
 struct Voronoi_window
@@ -438,8 +436,6 @@ NT least_path_length_from(Index label, const std::vector<Voronoi_window<NT>>& wi
   return result;
 }
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

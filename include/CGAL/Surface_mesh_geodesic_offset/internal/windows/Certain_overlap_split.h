@@ -16,9 +16,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // The overlap consists of zones: a certainly nearer, b certainly nearer, open. The difference of the distances is monotone on
 // either side of the point collinear with both images (see Window_bisector), so bisection with estimates finds the limits of
@@ -218,8 +216,6 @@ private:
   int m_size = 0;
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

@@ -14,9 +14,7 @@
 
 #include <algorithm>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 enum Face_window_origin : unsigned char {
   ENTERS_HALFEDGE_0 = 0, // window of halfedge 0, 1, 2 of the face
@@ -134,8 +132,6 @@ private:
   }
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

@@ -14,9 +14,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // Maps elements to parts: one part, or those of a Front_partition, which must outlive this object.
 class Front_parts
@@ -44,8 +42,6 @@ private:
   const std::uint8_t* m_vertex = nullptr;
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

@@ -12,9 +12,7 @@
 
 #include <type_traits>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // The value of the tag Has_pairs of a functor; false without the tag.
 template <class Functor, class = void>
@@ -76,8 +74,6 @@ struct Has_pair_distances
                 "SurfaceMeshGeodesicOffsetTraitsWithPairs is missing");
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

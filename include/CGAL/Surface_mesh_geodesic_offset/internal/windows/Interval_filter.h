@@ -22,9 +22,7 @@
 
 #include <utility>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // Close bounds of an exact number, without a decision about its sign if the number type supports that.
 template <class FT>
@@ -130,8 +128,6 @@ struct Estimated_distance
   bool is_parallel;
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

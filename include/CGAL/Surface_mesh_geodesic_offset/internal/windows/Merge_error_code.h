@@ -14,9 +14,7 @@
 #include <cstring>
 #include <limits>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // The image of a merged window is neither a vertex nor a source, so the field of the pseudo-source encodes the error: a float
 // without sign and last two bits, rounded up. Indices of vertices are smaller.
@@ -52,8 +50,6 @@ private:
   static constexpr Index flag = 1u << 29; // a window has 30 bits for the origin
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

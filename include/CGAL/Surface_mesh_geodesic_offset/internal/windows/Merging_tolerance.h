@@ -8,9 +8,7 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // Largest error of distances; they may be too small.
 template <class FT>
@@ -28,8 +26,6 @@ struct Merging_tolerance
   FT error_at(const FT& d) const { return is_zero() ? FT(0) : FT((relative * d + absolute) / (FT(1) - relative)); }
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

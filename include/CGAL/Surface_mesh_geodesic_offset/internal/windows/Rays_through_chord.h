@@ -12,9 +12,7 @@
 
 #include <algorithm>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // The rays of a window, in any frame of the face. Point rays start at `image`, at distance sigma. Parallel rays have the
 // direction -image, and sigma is the distance at the origin of the frame. The chord has the ends `left` and `right`, seen along
@@ -83,8 +81,6 @@ struct Rays_through_chord
   }
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

@@ -14,9 +14,7 @@
 
 #include <boost/config.hpp>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // One of the two other edges of a face, for windows whose rays all leave through it.
 template <class Traits, bool is_left, bool has_pairs = Has_pair_children<Traits>::value>
@@ -75,8 +73,6 @@ public:
   Simd_edge_exit(const Window_propagation<Traits>&, const Traits&) {}
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

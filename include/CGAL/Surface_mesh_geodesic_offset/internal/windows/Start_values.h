@@ -14,9 +14,7 @@
 
 #include <vector>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // One value per source primitive. Values are stored only if one of them is positive.
 template <class FT>
@@ -59,8 +57,6 @@ private:
   FT m_largest = FT(0), m_zero = FT(0);
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

@@ -18,9 +18,7 @@
 
 #include <utility>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // Least distance of an image from an edge, as a fraction of its length L, at which rounding keeps the directions behind the
 // image; 2^-30 in double. With u = Number_policy<FT>::rounding(1), ends of windows are rounded to 2 u L, and windows shorter
@@ -120,8 +118,6 @@ inline void change_frame(const Traits& traits, Window<FT>& w, const FT& ox, cons
   set_image(w, traits.change_frame_2_object()(w.x, w.y, w.sigma, w.is_parallel(), ox, oy, c, s));
 }
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

@@ -17,9 +17,7 @@
 
 #include <boost/config.hpp>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // One point of equal distance of two windows a and b.
 template <class Traits>
@@ -286,8 +284,6 @@ private:
   FT m_ties[2], m_distances[2];
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

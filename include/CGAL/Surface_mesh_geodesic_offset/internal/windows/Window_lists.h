@@ -22,9 +22,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // The first `processed` windows are propagated, and sorted and disjoint if envelopes are required; the others are pending.
 template <class FT, class Window_ = CGAL::Geodesic_offset::internal::Window<FT>>
@@ -298,8 +296,6 @@ private:
   std::size_t m_number_of_primitives = 0;
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

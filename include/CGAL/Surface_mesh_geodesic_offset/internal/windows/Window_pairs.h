@@ -11,9 +11,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/Geodesic_number_pair.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window.h>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 template <class FT>
 struct Window_pairs
@@ -37,8 +35,6 @@ struct Window_pairs
   FT sigma;
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

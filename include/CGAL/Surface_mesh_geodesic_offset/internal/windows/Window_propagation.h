@@ -18,9 +18,7 @@
 #include <algorithm>
 #include <optional>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // The face of a halfedge p -> q with apex r, in the frame of the halfedge, and the frames of its exits p -> r and r -> q in the
 // faces beyond.
@@ -188,8 +186,6 @@ private:
   const typename Traits::Construct_exit_2 m_exit;
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

@@ -16,9 +16,7 @@
 
 #include <boost/config.hpp>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // Tolerance by which a path through a vertex must be shorter to remove rays. In needles all paths to a point tie up to
 // rounding, and a window lost there is not replaced, as the vertex may be no pseudo-source. `scale`: upper bound of the
@@ -137,8 +135,6 @@ private:
   Estimate m_far_x, m_far_yy, m_by_far;
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

@@ -10,9 +10,7 @@
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Number_policy.h>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // Units of rounding, of a distance and the edges beside it, within which paths are taken for equally long: windows are pruned
 // (pruning_allowance()) and gaps between them closed (Lower_envelope) only up to this difference, so distances by windows may
@@ -26,8 +24,6 @@ inline FT window_allowance(const FT& scale)
   return Number_policy<FT>::rounding(roundings_of_window) * scale;
 }
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

@@ -12,9 +12,7 @@
 
 #include <CGAL/number_utils.h>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // True if a window has rays: its interval is not empty, and its distances are nonnegative up to the rounding of coordinates
 // near a source. For exact numbers, true unless estimates exclude it.
@@ -68,8 +66,6 @@ inline bool have_consistent_distances(const Window<FT>* first, const Window<FT>*
   return true;
 }
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

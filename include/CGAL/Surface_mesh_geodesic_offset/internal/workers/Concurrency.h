@@ -19,9 +19,7 @@
 #include <cstddef>
 #include <type_traits>
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // Team of the calling thread alone.
 struct Single_worker
@@ -99,8 +97,6 @@ private:
   std::size_t m_items, m_size;
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #endif

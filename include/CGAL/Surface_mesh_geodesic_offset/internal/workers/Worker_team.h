@@ -53,9 +53,7 @@ extern "C" void __tsan_ignore_thread_begin();
 extern "C" void __tsan_ignore_thread_end();
 #endif
 
-namespace CGAL {
-namespace Geodesic_offset {
-namespace internal {
+namespace CGAL::Geodesic_offset::internal {
 
 // Worker 0 is the calling thread, the others are helpers. No round waits for a missing helper: each present helper
 // processes some of the items, and if TBB lends no thread, worker 0 processes all of them.
@@ -298,9 +296,7 @@ private:
   std::uint32_t m_round = 0;
 };
 
-} // namespace internal
-} // namespace Geodesic_offset
-} // namespace CGAL
+} // namespace CGAL::Geodesic_offset::internal
 
 #undef CGAL_GEODESIC_OFFSET_PAUSE
 #undef CGAL_GEODESIC_OFFSET_THREAD_SANITIZER
