@@ -60,9 +60,8 @@ inline Soup random_hull(std::size_t faces, unsigned seed)
 /// Signs decided so far neither by intervals of up to 256 bits nor by identities of parts.
 inline std::size_t signs_by_exact_arithmetic()
 {
-  const auto& c = CGAL::Geodesic_offset::internal::Radical_number::counts();
-  return std::size_t(c.exactly_zero.value() + c.exactly_not_zero.value() + c.by_high_precision.value() +
-                     c.by_root_bound.value() + c.by_core.value());
+  const auto& c = CGAL::Radical_numbers::internal::Radical_sign::counts();
+  return std::size_t(c.exactly_zero + c.exactly_not_zero + c.by_high_precision + c.by_root_bound + c.by_core);
 }
 
 struct Exact_offset_mesh

@@ -636,11 +636,11 @@ void test_derived_traits()
   std::map<std::pair<int, int>, std::size_t> id;
   const Shape s = squares("derived traits", 6, 6, id, [](int, int) { return true; }); // CORE takes a minute
   CGAL::Surface_mesh_geodesic_offset<Derived_traits> geodesic(s.mesh);
-  auto& counts = CGAL::Geodesic_offset::internal::Radical_number::counts();
+  auto& counts = CGAL::Radical_numbers::internal::Radical_sign::counts();
   counts.reset();
   geodesic.add_source_point(s.vertices[0]);
   geodesic.build();
-  CHECK(geodesic.statistics().sign_decisions > 0 && counts.by_doubles.value() > 0 && counts.by_core.value() == 0);
+  CHECK(geodesic.statistics().sign_decisions > 0 && counts.by_doubles > 0 && counts.by_core == 0);
   for (const auto& v : id)
     CHECK(geodesic.distance_to_sources(s.vertices[v.second]) == hypotenuse(FT(v.first.first), FT(v.first.second)));
 }

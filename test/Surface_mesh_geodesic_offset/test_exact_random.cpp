@@ -26,7 +26,7 @@ namespace test_exact_random {
 using namespace test;
 
 // The number type of computations with Exact_predicates_exact_constructions_kernel_with_sqrt.
-typedef CGAL::Geodesic_offset::internal::Radical_number Radical_number;
+typedef CGAL::Radical_number Radical_number;
 typedef CGAL::Surface_mesh_geodesic_offset<
   CGAL::Surface_mesh_geodesic_offset_traits<CGAL::Simple_cartesian<Radical_number>, test::Surface_mesh>>
   Exact_geodesic;
@@ -282,7 +282,7 @@ GEODESIC_OFFSET_TEST(test_exact_random)
 {
   const bool is_verbose = argc > 1;
   Totals totals;
-  Radical_number::counts().reset();
+  CGAL::Radical_numbers::internal::Radical_sign::counts().reset();
   const auto compare = [&](const std::string& name, const Soup& soup, unsigned seed) {
     for (bool is_rotated : {false, true})
     {
@@ -335,16 +335,15 @@ GEODESIC_OFFSET_TEST(test_exact_random)
   }
   CHECK(totals.meshes >= 300 / step);
   CHECK(2 * totals.unique_paths > totals.paths);
-  const auto& counts = Radical_number::counts();
+  const auto& counts = CGAL::Radical_numbers::internal::Radical_sign::counts();
   std::cout << totals.meshes << " meshes, " << totals.distances << " distances, worst relative difference " << totals.worst
             << "; " << totals.paths << " paths, " << totals.unique_paths << " unique; windows " << totals.exact_windows
             << " exactly, " << totals.windows << " in doubles\nsigns in builds " << totals.signs << ", exactly decided "
-            << totals.exact_signs << "; with paths and comparisons: signs by identity " << counts.by_identity.value()
-            << ", by doubles " << counts.by_doubles.value() << ", by more bits " << counts.by_precision.value()
-            << ", exactly zero " << counts.exactly_zero.value() << ", exactly not zero " << counts.exactly_not_zero.value()
-            << ", by high precision " << counts.by_high_precision.value() << ", by root bound " << counts.by_root_bound.value()
-            << ", by CORE " << counts.by_core.value() << "\nslowest: " << totals.slowest_name << ", " << totals.slowest << " s"
-            << std::endl;
+            << totals.exact_signs << "; with paths and comparisons: signs by identity " << counts.by_identity << ", by doubles "
+            << counts.by_doubles << ", by more bits " << counts.by_precision << ", exactly zero " << counts.exactly_zero
+            << ", exactly not zero " << counts.exactly_not_zero << ", by high precision " << counts.by_high_precision
+            << ", by root bound " << counts.by_root_bound << ", by CORE " << counts.by_core
+            << "\nslowest: " << totals.slowest_name << ", " << totals.slowest << " s" << std::endl;
   std::sort(totals.widths.begin(), totals.widths.end());
   const double median = totals.widths[totals.widths.size() / 2];
   std::cout << "certified bounds: relative width " << median << " in the median, at most " << totals.widths.back() << std::endl;

@@ -1,7 +1,7 @@
 # Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The layout of the headers: core and shell, no cycle of includes between modules, no protected members, names of files and include
-guards.
+"""The layout of the headers: two packages, core and shell, no cycle of includes between modules, no protected members, names of files and
+include guards.
 
     test_layout.py INCLUDE_FOLDER
 
@@ -11,6 +11,8 @@ that header needs nothing of the folder of the internal header.
 
 The folders of internal/ are core or shell, see README.md. A header of the core includes none of the shell, and definitions, in files
 *_impl.h, are included only by the header that declares, unless the library is compiled, and by core_definitions.h.
+
+Radical_number is a package of its own: its headers include none of the other package, which includes only its public header.
 
 A header has the name of its main class or type; that of a public class may omit "Geodesic_". A name in lower case is for
 headers of functions or metafunctions, with no more classes than these.
@@ -22,7 +24,9 @@ import sys
 
 PACKAGE = "CGAL/Surface_mesh_geodesic_offset"
 INTERNAL = PACKAGE + "/internal/"
-INCLUDE = re.compile(r"^ *# *include *[<\"](%s[^>\"]*)[>\"]" % PACKAGE, re.MULTILINE)
+NUMBERS = "CGAL/Radical_number"
+INCLUDE = re.compile(r"^ *# *include *[<\"]((?:%s|%s)[./][^>\"]*)[>\"]" % (PACKAGE, NUMBERS), re.MULTILINE)
+GEODESIC = re.compile(r"^ *# *include.*Surface_mesh_geodesic_offset.*", re.MULTILINE)
 NAME = re.compile(r"^(?:(class|struct)|enum class|using) (?:alignas\(.*\) )?(\w+)(?! *[;<\w])|^typedef [^;]*?(\w+);", re.MULTILINE)
 FUNCTION = re.compile(r"^(?!class|struct|enum|using|typedef|namespace|template|static_assert)\w.*\b\w+\(|^  typedef [^;]*\btype;",
                       re.MULTILINE)
@@ -34,9 +38,10 @@ NO_GUARD = {INTERNAL + "parameters/parameters_interface.h"}  # included once per
 
 
 def headers(root):
-    names = [PACKAGE + ".h"]
-    for folder, _, files in os.walk(os.path.join(root, PACKAGE)):
-        names += [os.path.relpath(os.path.join(folder, f), root).replace(os.sep, "/") for f in files if f.endswith(".h")]
+    names = [PACKAGE + ".h", NUMBERS + ".h"]
+    for package in (PACKAGE, NUMBERS):
+        for folder, _, files in os.walk(os.path.join(root, package)):
+            names += [os.path.relpath(os.path.join(folder, f), root).replace(os.sep, "/") for f in files if f.endswith(".h")]
     return {name: open(os.path.join(root, name), encoding="utf-8").read() for name in sorted(names)}
 
 
@@ -59,6 +64,14 @@ def division_errors(name, text):
                 included != name[:-2] + "_impl.h" or COMPILED % included not in text):
             errors.append("%s includes the definitions in %s" % (name, included))
     return errors
+
+
+def package_errors(name, text):
+    """What is wrong with the division into packages."""
+    if name.startswith(NUMBERS):
+        return ["%s has the line %s" % (name, line) for line in GEODESIC.findall(text)]
+    return ["%s includes the internal header %s" % (name, included) for included in INCLUDE.findall(text)
+            if included.startswith(NUMBERS + "/")]
 
 
 def naming_error(name, text):
@@ -116,7 +129,7 @@ def errors_of(texts):
     if found:
         errors.append("a cycle of modules: " + "; ".join(graph[a][b] for a, b in zip(found, found[1:])))
     for name, text in texts.items():
-        errors += division_errors(name, text)
+        errors += package_errors(name, text) + division_errors(name, text)
         if naming_error(name, text):
             errors.append(naming_error(name, text))
         if re.search(r"^ *protected *:", text, re.MULTILINE):
@@ -132,6 +145,7 @@ def check_checks(texts):
     """Each kind of error is found in headers that have it."""
     first, second = INTERNAL + "mesh/Unfolded_mesh.h", INTERNAL + "windows/Window.h"
     functions = INTERNAL + "memory/prefetch.h"
+    number, signs = NUMBERS + ".h", NUMBERS + "/internal/Radical_sign.h"
     for name, text in ((second, texts[second].replace("Window\n{", "Other\n{")),
                        (functions, texts[functions].replace("\nnamespace CGAL", "\nstruct Prefetch\n{\n};\nnamespace CGAL", 1)),
                        (first, texts[first] + "#include <%s>\n" % second.replace("Window.h", "Lower_envelope.h")),
@@ -142,6 +156,10 @@ def check_checks(texts):
                         "#include <%s/Offset_piece.h>\n" % PACKAGE + texts[PACKAGE + "/Offset_side.h"]),
                        (PACKAGE + "/IO/internal/Curve_line.h",
                         texts[PACKAGE + "/IO/internal/Curve_line.h"] + "#include <%s/IO/write_vtk.h>\n" % PACKAGE),
+                       (number, texts[number] + "#include <%snumbers/Number_policy.h>\n" % INTERNAL),
+                       (signs, texts[signs] + "#include <CGAL/license/Surface_mesh_geodesic_offset.h>\n"),
+                       (signs, texts[signs] + "#include <%s>\n" % number), (signs, texts[signs].replace("class Radical_sign\n", "class Sign\n")),
+                       (second, texts[second] + "#include <%s>\n" % signs),
                        (second, texts[second] + "protected:\n"), (second, texts[second].replace("_H\n", "_HH\n")),
                        (first, texts[first] + "#include <%s>\n" % second.replace("Window.h", "Nothing.h"))):
         assert errors_of(dict(texts, **{name: text})), "an error in %s was not found" % name

@@ -7,7 +7,7 @@
 - No public declaration has an internal type or a nameless template parameter.
 - Each function outside classes says which header declares it.
 - The pages that a newcomer looks for exist, and each local link and picture has a target.
-- Doxyfile.in, the form for the documentation of CGAL, works with the settings of the package alone in place of CGAL's.
+- The Doxyfile.in of each package, the form for the documentation of CGAL, works with the settings of the manual in place of CGAL's.
 - Each publication of the bibliography is cited.
 - The README and the page for contributors name only files that exist, and the README shows the example program as it is.
 
@@ -124,7 +124,7 @@ def check_contents(directory):
     tree = contents(os.path.join(directory, "navtreedata.js"))
     places = [tree.find('"%s"' % title) for title in
               ("Introduction", "Quick Start", "Definitions", "Functions", "Exactness", "Performance", "Contributing",
-               "Certified Bounds and Their Error Analysis", "Performance Notes", "Benchmarks")]
+               "Certified Bounds and Their Error Analysis", "Performance Notes", "Benchmarks", "Numbers with Exact Square Roots")]
     check(min(places) >= 0 and places == sorted(places), "the navigation tree is not in order: %s" % places)
 
     of_class = contents(os.path.join(directory, "classCGAL_1_1Surface__mesh__geodesic__offset.html"))
@@ -138,15 +138,14 @@ def check_contents(directory):
         check(functions > 3 and includes >= functions, "%s: %d functions, %d #include" % (group, functions, includes))
 
 
-def settings_for_cgal(doxyfile, source):
-    """Doxyfile.in with the variables of CGAL's CMake files; the Doxyfile replaces the defaults of CGAL."""
-    text = contents(os.path.join(source, "doc/Surface_mesh_geodesic_offset/Doxyfile.in"))
+def settings_for_cgal(doxyfile, source, package, inputs):
+    """Doxyfile.in with the variables of CGAL's CMake files; the Doxyfile, with `inputs` if there are any, replaces the defaults of CGAL."""
+    text = contents(os.path.join(source, "doc", package, "Doxyfile.in"))
     for name, value in (("CGAL_DOC_PACKAGE_DEFAULTS", doxyfile), ("CGAL_DOC_VERSION", "6.0"), ("CGAL_PACKAGE_DIR", source),
-                        ("CGAL_PACKAGE_DOC_DIR", os.path.join(source, "doc/Surface_mesh_geodesic_offset"))):
-        check("${%s}" % name in text, "Doxyfile.in does not use " + name)
+                        ("CGAL_PACKAGE_DOC_DIR", os.path.join(source, "doc", package))):
         text = text.replace("${%s}" % name, value)
     check("${" not in text, "Doxyfile.in uses an unknown variable")
-    return text
+    return text + "\nINPUT = %s\n" % " ".join(os.path.join(source, name) for name in inputs) if inputs else text
 
 
 def check_bibliography(source):
@@ -197,10 +196,14 @@ def main(doxyfile, source):
         check_declarations(os.path.join(directory, "xml"))
         check_links(os.path.join(directory, "html"))
         check_contents(os.path.join(directory, "html"))
-    with tempfile.TemporaryDirectory() as directory:
-        warnings = build(settings_for_cgal(os.path.abspath(doxyfile), source), directory)
-        check(not warnings, "Doxygen warns with Doxyfile.in:\n" + warnings)
-        check("Triangulated Surface Mesh Geodesic Offsets" in contents(os.path.join(directory, "html/index.html")), "the title")
+    bibliography = "doc/Surface_mesh_geodesic_offset/Surface_mesh_geodesic_offset.bib"
+    for package, title, inputs in (
+            ("Surface_mesh_geodesic_offset", "Triangulated Surface Mesh Geodesic Offsets", []),
+            ("Radical_number", "Numbers with Exact Square Roots", ["doc/Radical_number", "include/CGAL/Radical_number.h", bibliography])):
+        with tempfile.TemporaryDirectory() as directory:
+            warnings = build(settings_for_cgal(os.path.abspath(doxyfile), source, package, inputs), directory)
+            check(not warnings, "Doxygen warns with Doxyfile.in of %s:\n%s" % (package, warnings))
+            check(title in contents(os.path.join(directory, "html/index.html")), "the title of " + package)
     check_bibliography(source)
     check_names(os.path.join(source, "README.md"), source)
     check_names(os.path.join(source, "doc/Surface_mesh_geodesic_offset/contributing.md"), source)

@@ -4,12 +4,12 @@
 // Tower of quadratic field extensions of the rationals: each step adjoins a square root that the field before does not
 // have. Computes inverses and recognizes squares.
 
-#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_RADICAL_NUMBERS_RADICAL_TOWER_H
-#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_RADICAL_NUMBERS_RADICAL_TOWER_H
+#ifndef CGAL_RADICAL_NUMBER_INTERNAL_RADICAL_TOWER_H
+#define CGAL_RADICAL_NUMBER_INTERNAL_RADICAL_TOWER_H
 
-#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+#include <CGAL/license/Radical_number.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/radical_numbers/Radical_sum.h>
+#include <CGAL/Radical_number/internal/Radical_sum.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -17,7 +17,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL::Geodesic_offset::internal {
+namespace CGAL::Radical_numbers::internal {
 
 class Radical_tower
 {
@@ -134,7 +134,7 @@ private:
   // Square root within the field of elements of this length.
   std::optional<Element> root(const Element& a) const
   {
-    auto r = rational_times_square(a);
+    const auto r = rational_times_square(a);
     if (!r) return std::nullopt;
     // a rational is a square in the field if its product with some of the adjoined integers is a rational square
     for (std::size_t set = 0; set < a.size() && set < std::size_t(1) << m_integers.size(); ++set)
@@ -143,12 +143,11 @@ private:
       Big_integer chosen = 1;
       for (std::size_t i = 0; i < m_integers.size(); ++i)
         if (set >> i & 1) chosen *= m_integers[i];
-      const Big_rational q = r->first * chosen;
-      const Big_integer over(numerator_of(q)), under(denominator_of(q));
-      if (q.sign() < 0 || !is_square(over) || !is_square(under)) continue;
-      Element root_of_q(a.size());
-      root_of_q[set] = Big_rational(boost::multiprecision::sqrt(over), boost::multiprecision::sqrt(under) * chosen);
-      return product(root_of_q, r->second);
+      const auto root_of_product = rational_root_of(r->first * chosen);
+      if (!root_of_product) continue;
+      Element root_of_rational(a.size());
+      root_of_rational[set] = *root_of_product / chosen;
+      return product(root_of_rational, r->second);
     }
     return std::nullopt;
   }
@@ -158,6 +157,6 @@ private:
   std::vector<Big_integer> m_integers;
 };
 
-} // namespace CGAL::Geodesic_offset::internal
+} // namespace CGAL::Radical_numbers::internal
 
 #endif

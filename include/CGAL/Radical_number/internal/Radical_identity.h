@@ -10,14 +10,13 @@
 // indeterminate with a known square. The expression is zero if its numerator is the zero polynomial. The depth
 // increases until a proof is found or the polynomials get too large.
 
-#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_RADICAL_NUMBERS_RADICAL_IDENTITY_H
-#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_RADICAL_NUMBERS_RADICAL_IDENTITY_H
+#ifndef CGAL_RADICAL_NUMBER_INTERNAL_RADICAL_IDENTITY_H
+#define CGAL_RADICAL_NUMBER_INTERNAL_RADICAL_IDENTITY_H
 
-#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+#include <CGAL/license/Radical_number.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/radical_numbers/Double_interval.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/radical_numbers/Radical_node.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/radical_numbers/Radical_sum.h>
+#include <CGAL/Radical_number/internal/Radical_expression.h>
+#include <CGAL/Radical_number/internal/Radical_sum.h>
 
 #include <algorithm>
 #include <array>
@@ -29,14 +28,14 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL::Geodesic_offset::internal {
+namespace CGAL::Radical_numbers::internal {
 
 // True if two expressions apply the same operations to the same constants, as those of a number that is computed twice
 // in the same way.
 class Radical_likeness
 {
 public:
-  bool operator()(const Radical_node& a, const Radical_node& b) { return are_alike(a, b, 0); }
+  bool are_alike(const Radical_node& a, const Radical_node& b) { return are_alike(a, b, 0); }
 
 private:
   static constexpr std::size_t most_levels = 1000; // of recursion
@@ -45,8 +44,7 @@ private:
   bool are_alike(const Radical_node& a, const Radical_node& b, std::size_t level)
   {
     if (&a == &b) return true;
-    const Double_interval &x = a.interval(), &y = b.interval();
-    if (x.high < y.low || y.high < x.low || a.operation() != b.operation()) return false;
+    if (!a.interval().do_overlap(b.interval()) || a.operation() != b.operation()) return false;
     if (a.rational()) return *a.rational() == *b.rational();
     if (!a.operand(0) || level == most_levels || m_known.size() == most_pairs) return false;
     const auto known = m_known.emplace(std::make_pair(&a, &b), false);
@@ -181,15 +179,32 @@ public:
     return false;
   }
 
+  struct Quotient
+  {
+    Radical_polynomial over, under;
+  };
+
+  // The arithmetic of quotients
+  Quotient negative(const Quotient& a) { return {a.over.negative(), a.under}; }
+  Quotient sum(const Quotient& a, const Quotient& b)
+  {
+    if (a.under == b.under) return {Radical_polynomial::sum(a.over, b.over, m_work), a.under};
+    return {Radical_polynomial::sum(product(a.over, b.under), product(b.over, a.under), m_work), product(a.under, b.under)};
+  }
+  Quotient difference(const Quotient& a, const Quotient& b) { return sum(a, negative(b)); }
+  Quotient product(const Quotient& a, const Quotient& b) { return {product(a.over, b.over), product(a.under, b.under)}; }
+  Quotient quotient(const Quotient& a, const Quotient& b) { return product(a, {b.under, b.over}); }
+  Quotient square_root(const Quotient& a)
+  {
+    return indeterminate([&](const Indeterminate& i) { return !i.node && is_zero(difference(a, i.square).over); },
+                         {nullptr, a});
+  }
+
 private:
   static constexpr std::size_t most_steps = std::size_t(1) << 15;
   static constexpr std::size_t most_depth = 24;
   static constexpr std::size_t most_bits_of_coefficient = 512; // larger constants become indeterminates
 
-  struct Quotient
-  {
-    Radical_polynomial over, under;
-  };
   struct Indeterminate
   {
     const Radical_node* node; // null for a square root
@@ -227,69 +242,32 @@ private:
       }
     }
     std::reverse(expanded.begin(), expanded.end());
-    for (const Radical_node* n : expanded) m_values.emplace(n, value(*n));
+    for (const Radical_node* n : expanded)
+      m_values.emplace(n, apply(n->operation(), *this, [&](int i) { return value(*n->operand(i)); }));
     return !expanded.empty() && is_zero(m_values.at(&top).over);
   }
 
   Quotient value(const Radical_node& n)
   {
-    const Quotient a = operand(n, 0);
-    switch (n.operation())
-    {
-    case Radical_operation::NEGATE: return {a.over.negative(), a.under};
-    case Radical_operation::ADD: return sum(a, operand(n, 1));
-    case Radical_operation::SUBTRACT:
-    {
-      const Quotient b = operand(n, 1);
-      return sum(a, {b.over.negative(), b.under});
-    }
-    case Radical_operation::MULTIPLY:
-    {
-      const Quotient b = operand(n, 1);
-      return {product(a.over, b.over), product(a.under, b.under)};
-    }
-    case Radical_operation::DIVIDE:
-    {
-      const Quotient b = operand(n, 1);
-      return {product(a.over, b.under), product(a.under, b.over)};
-    }
-    default: return {square_root(a), Radical_polynomial(1)};
-    }
-  }
-
-  Quotient operand(const Radical_node& n, int i)
-  {
-    const Radical_node& o = *n.operand(i);
-    const auto known = m_values.find(&o);
+    const auto known = m_values.find(&n);
     if (known != m_values.end()) return known->second;
-    if (o.rational() && bits_of(*o.rational()) <= most_bits_of_coefficient)
-      return {Radical_polynomial(*o.rational()), Radical_polynomial(1)};
-    return {part(o), Radical_polynomial(1)};
+    if (n.rational() && bits_of(*n.rational()) <= most_bits_of_coefficient)
+      return {Radical_polynomial(*n.rational()), Radical_polynomial(1)};
+    return indeterminate([&](const Indeterminate& i) { return i.node && m_likeness.are_alike(*i.node, n); }, {&n, {}});
   }
 
-  Radical_polynomial part(const Radical_node& n)
+  // The known indeterminate that `is_wanted`, or else a new one.
+  template <class Is_wanted>
+  Quotient indeterminate(const Is_wanted& is_wanted, Indeterminate otherwise)
   {
-    for (std::size_t i = 0; i < m_indeterminates.size(); ++i)
-      if (m_indeterminates[i].node && m_is_alike(*m_indeterminates[i].node, n)) return Radical_polynomial::indeterminate(i);
-    return new_indeterminate({&n, {}});
-  }
-
-  Radical_polynomial square_root(const Quotient& a)
-  {
-    for (std::size_t i = 0; i < m_indeterminates.size(); ++i)
+    const auto known = std::find_if(m_indeterminates.begin(), m_indeterminates.end(), is_wanted);
+    const std::size_t position = std::size_t(known - m_indeterminates.begin());
+    if (known == m_indeterminates.end())
     {
-      const Indeterminate& s = m_indeterminates[i];
-      if (!s.node && is_zero(sum(a, {s.square.over.negative(), s.square.under}).over))
-        return Radical_polynomial::indeterminate(i);
+      if (position == Radical_polynomial::most_indeterminates) throw Radical_limit_exceeded();
+      m_indeterminates.push_back(std::move(otherwise));
     }
-    return new_indeterminate({nullptr, a});
-  }
-
-  Radical_polynomial new_indeterminate(Indeterminate i)
-  {
-    if (m_indeterminates.size() == Radical_polynomial::most_indeterminates) throw Radical_limit_exceeded();
-    m_indeterminates.push_back(std::move(i));
-    return Radical_polynomial::indeterminate(m_indeterminates.size() - 1);
+    return {Radical_polynomial::indeterminate(position), Radical_polynomial(1)};
   }
 
   // No denominator in an expression is zero, so multiplying by the denominator of a square preserves zeros.
@@ -301,23 +279,18 @@ private:
     return p.is_zero();
   }
 
-  Quotient sum(const Quotient& a, const Quotient& b)
-  {
-    if (a.under == b.under) return {Radical_polynomial::sum(a.over, b.over, m_work), a.under};
-    return {Radical_polynomial::sum(product(a.over, b.under), product(b.over, a.under), m_work), product(a.under, b.under)};
-  }
   Radical_polynomial product(const Radical_polynomial& a, const Radical_polynomial& b)
   {
     return Radical_polynomial::product(a, b, m_work);
   }
 
   Radical_work m_work;
-  Radical_likeness m_is_alike;
+  Radical_likeness m_likeness;
   bool m_is_complete = false; // all operations are expanded
   std::unordered_map<const Radical_node*, Quotient> m_values;
   std::vector<Indeterminate> m_indeterminates; // a square root comes after the indeterminates in its square
 };
 
-} // namespace CGAL::Geodesic_offset::internal
+} // namespace CGAL::Radical_numbers::internal
 
 #endif

@@ -6,7 +6,7 @@
 
 #include "test_check.h"
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/radical_numbers/Radical_number.h>
+#include <CGAL/Radical_number.h>
 
 #include <CGAL/Cartesian.h>
 #include <CGAL/squared_distance_2.h>
@@ -25,7 +25,8 @@
 namespace test_radical_number {
 
 using CGAL::Exact_rational;
-typedef CGAL::Geodesic_offset::internal::Radical_number Number;
+using CGAL::Radical_numbers::internal::Radical_sign;
+typedef CGAL::Radical_number Number;
 
 Number root(const Number& x) { return CGAL::sqrt(x); }
 
@@ -382,7 +383,7 @@ void test_strips()
 // Zeros by construction, whatever the parts are: the parts are too large for exact arithmetic.
 void test_zero_by_construction()
 {
-  auto& counts = Number::counts();
+  auto& counts = Radical_sign::counts();
   const auto sum_of_roots = [](int first) {
     Number s = 0;
     for (int i = first; i < first + 48; i += 4) s += root(Number(i));
@@ -393,9 +394,9 @@ void test_zero_by_construction()
   const auto check_zero = [&](const Number& a, const Number& b, const std::string& what) {
     counts.reset();
     CHECK_DETAIL(a == b, what);
-    CHECK_DETAIL(counts.zero_by_identity.value() + counts.by_identity.value() == 1, what);
-    CHECK_DETAIL(counts.exactly_zero.value() + counts.by_root_bound.value() + counts.by_core.value() == 0, what);
-    identities += counts.zero_by_identity.value();
+    CHECK_DETAIL(counts.zero_by_identity + counts.by_identity == 1, what);
+    CHECK_DETAIL(counts.exactly_zero + counts.by_root_bound + counts.by_core == 0, what);
+    identities += counts.zero_by_identity;
     CHECK_DETAIL(a < b + tiny(100) && b < a + tiny(100) && a != b + tiny(100), what);
   };
   check_zero(root(x) * root(y), root(x * y), "product of roots");
@@ -433,22 +434,22 @@ void test_zero_by_construction()
 
   // Nonzero, and zero for another reason: the parts of root 6 are not those of root 2 and root 3.
   counts.reset();
-  CHECK(root(Number(2)) + root(Number(3)) == root(5 + 2 * root(Number(6))) && counts.zero_by_identity.value() == 0);
+  CHECK(root(Number(2)) + root(Number(3)) == root(5 + 2 * root(Number(6))) && counts.zero_by_identity == 0);
   const Number z = root(Number(5)) - root(Number(5) + tiny(200));
-  CHECK(CGAL::is_negative(x * z) && CGAL::is_negative(z / x) && counts.zero_by_identity.value() == 0);
+  CHECK(CGAL::is_negative(x * z) && CGAL::is_negative(z / x) && counts.zero_by_identity == 0);
 }
 
 // Numbers that exact arithmetic does not decide.
 void test_root_bounds()
 {
-  auto& counts = Number::counts();
+  auto& counts = Radical_sign::counts();
   counts.reset();
   Number a = 0, b = 0;
   for (int p : {2, 5, 11, 17}) a += root(p);
   for (int p : {3, 7, 13, 19}) b += root(p);
-  CHECK(root(a) + root(b) == root(a + b + 2 * root(a * b)) && counts.by_root_bound.value() == 1);
-  CHECK(root(a) + root(b) < root(a + b + 2 * root(a * b)) + tiny(400) && counts.by_high_precision.value() == 1);
-  CHECK(counts.by_core.value() == 0);
+  CHECK(root(a) + root(b) == root(a + b + 2 * root(a * b)) && counts.by_root_bound == 1);
+  CHECK(root(a) + root(b) < root(a + b + 2 * root(a * b)) + tiny(400) && counts.by_high_precision == 1);
+  CHECK(counts.by_core == 0);
 
   // CORE 1.7 of CGAL 5.5 computes zero for this difference
   const Number large = power(10, 14);
@@ -459,10 +460,10 @@ void test_root_bounds()
   CHECK(CGAL::is_negative(difference * sum) && CGAL::is_negative(difference));
 
   // Each expression is at least as large as its bound, and the bound is not too pessimistic for a single root.
-  typedef CGAL::Geodesic_offset::internal::Radical_expression Make;
-  using CGAL::Geodesic_offset::internal::Big_rational;
-  using CGAL::Geodesic_offset::internal::Radical_bound;
-  using CGAL::Geodesic_offset::internal::Radical_node;
+  typedef CGAL::Radical_numbers::internal::Radical_expression Make;
+  using CGAL::Radical_numbers::internal::Big_rational;
+  using CGAL::Radical_numbers::internal::Radical_bound;
+  using CGAL::Radical_numbers::internal::Radical_node;
   typedef Radical_node::Reference Reference;
   const Reference two = Radical_node::make(Big_rational(2)), one = Radical_node::make(Big_rational(1));
   Reference small = Make::difference(Make::square_root(two), one);
@@ -595,22 +596,22 @@ void test_rounding_modes()
 
 void test_counts()
 {
-  auto& counts = Number::counts();
+  auto& counts = Radical_sign::counts();
   counts.reset();
   const Number x = root(2) + root(3), y = root(5 + 2 * root(6)), z = x;
-  CHECK(x == z && counts.by_identity.value() == 1);
-  CHECK(x < 4 && counts.by_doubles.value() == 1);
-  CHECK(x < y + tiny(30) && counts.by_precision.value() == 1);
-  CHECK(x < y + tiny(300) && counts.exactly_not_zero.value() == 1);
-  CHECK(x == y && counts.exactly_zero.value() == 1);
+  CHECK(x == z && counts.by_identity == 1);
+  CHECK(x < 4 && counts.by_doubles == 1);
+  CHECK(x < y + tiny(30) && counts.by_precision == 1);
+  CHECK(x < y + tiny(300) && counts.exactly_not_zero == 1);
+  CHECK(x == y && counts.exactly_zero == 1);
   // the equality is cached
-  CHECK(x == y && counts.exactly_zero.value() == 1 && counts.by_identity.value() == 2);
+  CHECK(x == y && counts.exactly_zero == 1 && counts.by_identity == 2);
   // a nested root that is proved to be independent of other roots
   const Number nested = root(3 + root(2));
-  CHECK(nested * nested * nested < nested * (3 + root(2)) + tiny(300) && counts.exactly_not_zero.value() == 2);
-  CHECK(counts.by_core.value() == 0 && counts.by_high_precision.value() == 0 && counts.by_root_bound.value() == 0);
+  CHECK(nested * nested * nested < nested * (3 + root(2)) + tiny(300) && counts.exactly_not_zero == 2);
+  CHECK(counts.by_core == 0 && counts.by_high_precision == 0 && counts.by_root_bound == 0);
   counts.reset();
-  CHECK(counts.by_identity.value() == 0 && counts.exactly_zero.value() == 0);
+  CHECK(counts.by_identity == 0 && counts.exactly_zero == 0);
 }
 
 } // namespace test_radical_number
@@ -628,7 +629,7 @@ GEODESIC_OFFSET_TEST(test_radical_number)
   test_strips();
   test_zero_by_construction();
   test_root_bounds();
-  CHECK(Number::counts().by_core.value() == 0);
+  CHECK(Radical_sign::counts().by_core == 0);
   test_against_core();
   test_long_chains();
   test_to_double();

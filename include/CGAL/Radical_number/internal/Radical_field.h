@@ -7,15 +7,16 @@
 // if no product of them is proved to be a sum of roots of rationals; a sum of independent symbols is zero only if all
 // its coefficients are. Other symbols can prove that a sum is zero, but not that it is nonzero.
 
-#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_RADICAL_NUMBERS_RADICAL_FIELD_H
-#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_RADICAL_NUMBERS_RADICAL_FIELD_H
+#ifndef CGAL_RADICAL_NUMBER_INTERNAL_RADICAL_FIELD_H
+#define CGAL_RADICAL_NUMBER_INTERNAL_RADICAL_FIELD_H
 
-#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+#include <CGAL/license/Radical_number.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/radical_numbers/Multiprecision_interval.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/radical_numbers/Radical_sum.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/radical_numbers/Radical_tower.h>
+#include <CGAL/Radical_number/internal/Multiprecision_interval.h>
+#include <CGAL/Radical_number/internal/Radical_sum.h>
+#include <CGAL/Radical_number/internal/Radical_tower.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -25,7 +26,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL::Geodesic_offset::internal {
+namespace CGAL::Radical_numbers::internal {
 
 // Quotient with nonzero denominator.
 struct Radical_quotient
@@ -49,6 +50,12 @@ public:
     if (a.denominator == b.denominator) return {a.numerator + b.numerator, a.denominator};
     return {product(a.numerator, b.denominator) + product(b.numerator, a.denominator), product(a.denominator, b.denominator)};
   }
+  static Radical_quotient negative(Radical_quotient a)
+  {
+    a.numerator.negate();
+    return a;
+  }
+  Radical_quotient difference(const Radical_quotient& a, const Radical_quotient& b) { return sum(a, negative(b)); }
   Radical_quotient product(const Radical_quotient& a, const Radical_quotient& b)
   {
     return {product(a.numerator, b.numerator), product(a.denominator, b.denominator)};
@@ -92,7 +99,7 @@ private:
   static constexpr std::size_t most_steps_for_square = 1 << 17;
   static constexpr std::size_t most_levels_inverted = 4; // inverses in higher fields are too long to be useful
   static constexpr std::size_t least_products_with_base = 32;
-  static constexpr mpfr_prec_t most_bits = 1 << 14;
+  static constexpr std::size_t most_bits = 1 << 14;
 
   struct Symbol
   {
@@ -322,22 +329,17 @@ private:
   // Precondition: a is not zero.
   int sign(const Radical_sum& a)
   {
-    for (mpfr_prec_t bits = 128; bits <= most_bits; bits *= 2)
-    {
-      const Multiprecision_interval e = interval(a, bits);
-      if (e.sign() != 0) return e.sign();
-    }
+    for (std::size_t bits = 128; bits <= most_bits; bits *= 2)
+      if (const int s = interval(a, Multiprecision_arithmetic(bits)).sign()) return s;
     throw Radical_limit_exceeded();
   }
 
-  Multiprecision_interval interval(const Radical_sum& a, mpfr_prec_t bits)
+  Multiprecision_interval interval(const Radical_sum& a, const Multiprecision_arithmetic& arithmetic)
   {
     m_work.spend(a.size());
-    return interval_of(a, bits, [&](std::size_t i) {
+    return arithmetic.enclosure(a, [&](std::size_t i) {
       if (m_symbols[i].identity) throw Radical_limit_exceeded();
-      Multiprecision_interval root(bits);
-      root.set_root(interval(m_symbols[i].square, bits));
-      return root;
+      return arithmetic.square_root(interval(m_symbols[i].square, arithmetic));
     });
   }
 
@@ -346,6 +348,6 @@ private:
   std::vector<Symbol> m_symbols;
 };
 
-} // namespace CGAL::Geodesic_offset::internal
+} // namespace CGAL::Radical_numbers::internal
 
 #endif

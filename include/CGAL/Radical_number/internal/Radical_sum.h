@@ -7,10 +7,10 @@
 // rationals. So a sum with such radicands is zero only if it has no terms. Greatest common divisors suffice to find a
 // coprime base; no integer is factored into primes.
 
-#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_RADICAL_NUMBERS_RADICAL_SUM_H
-#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_RADICAL_NUMBERS_RADICAL_SUM_H
+#ifndef CGAL_RADICAL_NUMBER_INTERNAL_RADICAL_SUM_H
+#define CGAL_RADICAL_NUMBER_INTERNAL_RADICAL_SUM_H
 
-#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+#include <CGAL/license/Radical_number.h>
 
 #include <boost/multiprecision/gmp.hpp>
 
@@ -18,11 +18,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 #include <vector>
 
-namespace CGAL::Geodesic_offset::internal {
+namespace CGAL::Radical_numbers::internal {
 
 // without expression templates, so that the type of each expression is its value's
 typedef boost::multiprecision::number<boost::multiprecision::gmp_int, boost::multiprecision::et_off> Big_integer;
@@ -36,6 +37,14 @@ inline std::size_t bits_of(const Big_rational& q)
 }
 
 inline bool is_square(const Big_integer& n) { return mpz_perfect_square_p(n.backend().data()) != 0; }
+
+// The square root if it is rational.
+inline std::optional<Big_rational> rational_root_of(const Big_rational& q)
+{
+  const Big_integer over(numerator_of(q)), under(denominator_of(q));
+  if (q.sign() < 0 || !is_square(over) || !is_square(under)) return std::nullopt;
+  return Big_rational(boost::multiprecision::sqrt(over), boost::multiprecision::sqrt(under));
+}
 
 // Thrown when an exact computation exceeds its limits.
 struct Radical_limit_exceeded
@@ -234,11 +243,9 @@ public:
   }
   friend Radical_sum operator+(const Radical_sum& a, const Radical_sum& b)
   {
-    std::vector<Radical_term> all;
-    all.reserve(a.size() + b.size());
-    std::merge(a.m_terms.begin(), a.m_terms.end(), b.m_terms.begin(), b.m_terms.end(), std::back_inserter(all));
     Radical_sum sum;
-    sum.m_terms = std::move(all);
+    sum.m_terms.reserve(a.size() + b.size());
+    std::merge(a.m_terms.begin(), a.m_terms.end(), b.m_terms.begin(), b.m_terms.end(), std::back_inserter(sum.m_terms));
     sum.add_like_terms();
     return sum;
   }
@@ -273,9 +280,8 @@ public:
   // Writes all radicands as products of distinct elements of a coprime base.
   void reduce(Radical_work& work)
   {
-    bool mixed = false;
-    for (std::size_t i = 1; i < size() && !mixed; ++i) mixed = m_terms[i].radicand != m_terms[0].radicand;
-    if (!mixed) return;
+    const auto differs = [this](const Radical_term& t) { return t.radicand != m_terms[0].radicand; };
+    if (std::none_of(m_terms.begin(), m_terms.end(), differs)) return;
     Coprime_base base(work);
     insert_radicands(base);
     work.spend(size() * base.size());
@@ -310,6 +316,6 @@ private:
   std::vector<Radical_term> m_terms; // sorted, no two alike, no factor zero
 };
 
-} // namespace CGAL::Geodesic_offset::internal
+} // namespace CGAL::Radical_numbers::internal
 
 #endif
