@@ -15,6 +15,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_elements.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_points.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_tracing.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/seconds_since.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Source_set.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/workers/Concurrency.h>
 
@@ -27,11 +28,6 @@
 #include <vector>
 
 namespace CGAL::Geodesic_offset::internal {
-
-inline double seconds_since(std::chrono::steady_clock::time_point t)
-{
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - t).count();
-}
 
 // Searches finalized faces for the farthest point if requested, and passes them on.
 template <class FT, class Team>

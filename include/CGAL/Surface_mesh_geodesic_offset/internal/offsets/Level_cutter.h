@@ -13,6 +13,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/front/Face_consumer.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Curve_selection.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Offset_extraction.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/seconds_since.h>
 
 #include <chrono>
 #include <cstddef>
@@ -71,8 +72,6 @@ public:
 
 private:
   typedef std::chrono::steady_clock Clock;
-
-  static double seconds_since(Clock::time_point t) { return std::chrono::duration<double>(Clock::now() - t).count(); }
 
   void release(const FT& distance)
   {
