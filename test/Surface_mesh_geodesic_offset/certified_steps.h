@@ -84,7 +84,7 @@ public:
       b1 = one_of(4) ? length : one_of(6) ? (std::min)(b0 * (1 + power(-15, 0)), length) : number(0, length);
       if (b1 < b0) std::swap(b0, b1);
     } while (b0 == b1);
-    const double through = one_of(2) ? b0 : b1, angle = one_of(4) ? power(-16, 0) : number(0, CGAL_PI);
+    const double through = one_of(2) ? b0 : b1, angle = one_of(4) ? power(-26, 0) : number(0, CGAL_PI);
     double x = -std::cos(angle), y = -std::sin(angle);
     if (one_of(3))
     { // away from the apex, or parallel to an edge
@@ -253,14 +253,6 @@ private:
   // The end of the halfedge is the vertex itself.
   Number place(double b) const { return b < face_.length ? Number(b) : length_; }
 
-  // Whether the error of the image may turn the ray by an eighth of its angle with the halfedge, or with the edge, or more. For
-  // some of these rays the radius of the child is too small: it is not checked for them.
-  static bool may_turn_past_edge(const Certified_window& w, const Exact_image& image, const Edge& edge, const Number& b)
-  {
-    const Number least(8 * w.error_of_image());
-    return -image.at.y < least || Reference_distances::absolute(Reference_distances::cross(edge.axis, image.ray(b))) < least;
-  }
-
   void check_apex(const Certified_window& w, const Exact_image& image, double lateral) const
   {
     const double d = face_.distance_at_apex(w), error = face_.error_at_apex(w, d, lateral);
@@ -317,7 +309,6 @@ private:
       {
         const Number side = image.side(end, place(beside));
         if (!((beside == near) == to_left ? side > Number(0) : side < Number(0))) continue;
-        if (may_turn_past_edge(w, image, edge, place(beside))) continue;
         const Number excess = image.via(place(beside), end) - image.distance(end);
         CHECK_DETAIL(excess <= Number(child.radius), text(excess, child.radius));
       }

@@ -65,9 +65,7 @@ public:
   // interval.
   double lateral_error(const Certified_window& w) const
   {
-    const Certified_window::Excess begin = w.excess_at(m_apex.x, apex_y, place(w.b0), true, ZERO),
-                                   end = w.excess_at(m_apex.x, apex_y, place(w.b1), false, ZERO);
-    return (std::max)(begin.around, end.around) + begin.behind + end.behind;
+    return (std::max)(w.way_around(m_apex.x, apex_y, place(w.b0)), w.way_around(m_apex.x, apex_y, place(w.b1)));
   }
 
   // Error bound of a window's distance at the apex.
@@ -190,9 +188,9 @@ private:
   //
   // The exit is at t = b |y| / den, where den is r = |to_image| times the sine of the angle between ray and edge. If the
   // image moves by `off`, the exit moves by at most b s r off / (den den'), with the smallest den' on the way. The bound
-  // off / |y| of t would be far too large for an edge much longer than r. A ray with den' < den / 2, or whose exit may move by
-  // more than a quarter of t, grazes the edge or the halfedge: the sines of its angles with both have a product of at most
-  // 23 s off / r, and a sum of at least s, so that the smaller one is at most 46 off / r.
+  // off / |y| of t would be far too large for an edge much longer than r. A ray whose exit may move by more than a quarter of t,
+  // or of its distance b s r / den from b, grazes the edge or the halfedge: way_around_grazed() is charged. If to_image is
+  // certainly on one side of b, the ray leaves on the other one: an edge may run back along the halfedge, beyond b.
   bool near_exit(const Certified_window& w, double to_image, double b, double c, double s, double off, double& t,
                  double& grazing) const
   {
@@ -202,14 +200,18 @@ private:
     const double least = den - error - off;
     double y = -w.y;
     const double aside = s * (std::abs(to_image) + y) * off;
-    if (least > error + off && 8 * aside <= y * least)
+    if (least > error + 12 * off && 8 * aside <= y * least)
     {
       if (8 * aside > unit_roundoff * (y * least)) y -= 2 * (aside / least);
       t = (std::max)(0., b * y) / (den + error) * (1 - exit_error);
       return true;
     }
     t = (std::max)(0., b * (y - off)) / (den + error + off) * (1 - exit_error);
-    if (to_image < -off && c > 0) t = (std::max)(t, b / c * (1 - exit_error)); // the ray leaves the origin behind
+    if (to_image < -off)
+    {
+      if (c <= -corner_error) return false;
+      t = (std::max)(t, b / (c + corner_error) * (1 - exit_error));
+    }
     grazing = (std::max)(grazing, way_around_grazed(w, to_image, off));
     return true;
   }
@@ -219,21 +221,17 @@ private:
     double den, error;
     across(w, to_image, c, s, den, error);
     const double least = den - error - off;
-    if (!(least > error + off))
-    {
-      grazing = (std::max)(grazing, way_around_grazed(w, to_image, off));
-      return;
-    }
     double y = -w.y;
     const double aside = s * (std::abs(to_image) + y) * off;
-    if (8 * aside > y * least)
+    if (least > error + 12 * off && 8 * aside <= y * least)
     {
-      grazing = (std::max)(grazing, way_around_grazed(w, to_image, off));
-      t = (std::min)(t, b * (y + off) / least * (1 + exit_error));
+      if (8 * aside > unit_roundoff * (y * least)) y += 2 * (aside / least);
+      t = (std::min)(t, b * y / (den - error) * (1 + exit_error));
       return;
     }
-    if (8 * aside > unit_roundoff * (y * least)) y += 2 * (aside / least);
-    t = (std::min)(t, b * y / (den - error) * (1 + exit_error));
+    if (least > error + off) t = (std::min)(t, b * (y + off) / least * (1 + exit_error));
+    if (to_image > off && c > corner_error) t = (std::min)(t, b / (c - corner_error) * (1 + exit_error));
+    grazing = (std::max)(grazing, way_around_grazed(w, to_image, off));
   }
 
   // den: sine of the angle between ray and edge times the length |to_image|; error: its rounding error.
@@ -244,10 +242,19 @@ private:
     error = exit_error * (std::abs(p) + std::abs(q));
   }
 
-  // Excess length of a path around an end of the interval for rays that graze an edge. The angle between ray and edge is at
-  // most 46 pi / 2 off / r, or 3 (error + off) / r, so all points of the face in front of the image are within this angle times
-  // its size of the ray. The error is below sqrt(2) r exit_error; r is the sum of the coordinates here, at most sqrt(2) times
-  // the length. No way around is longer than that to the end of the interval and back.
+  // Excess length of a path around an end b of the interval to a point of the child's edge beside the ray through b, if this
+  // ray grazes the edge or the halfedge. Let the image be displaced, by at most `off`, and y', den', r' belong to it. The point
+  // at t is at a distance h = |t den' - b y'| / r' from the ray. If it is not behind b, the path is longer by at most h.
+  // - If den <= 2 error + 13 off, den' is at most 2 error + 14 off. For a point beyond the exit, h r' is at most den' times the
+  //   edge. Before the exit, the rounded exit is on the edge only if b (y - off) is at most (den + error + off) times the edge. As
+  //   edge and b are at most size / 2, h r' is at most (2 error + 9 off) size.
+  // - Otherwise den - error - off is at least den / 2, and y (den - error - off) < 8 sqrt(2) s r off. The sum of the sines of
+  //   both angles is at least s. If y >= s r / 2, then den < 46 off and, as before, h r' < 47 off size. If den >= s r / 2, then
+  //   y < 46 off, and h r' < 48 off size.
+  // The point is behind b by rounding at most if |to_image| > off. If not, it is by at most 2 off / r' times size / 2, unless
+  // the image is nearer to b than 105 off: but no excess exceeds twice the distance of the point from b, at most `size`. Nor does
+  // any exceed twice that of the image. The error is below r exit_error; r is the sum of the coordinates here, at most sqrt(2)
+  // times the length, so that 105 > sqrt(2) (48 + 2) covers r' < r, too.
   double way_around_grazed(const Certified_window& w, double to_image, double off) const
   {
     const double size = length + left_length + right_length, r = w.is_parallel() ? 1. : std::abs(to_image) - w.y;

@@ -74,11 +74,11 @@ private:
         const Sign from = w.side_of(p.x, height, b0), to = w.side_of(p.x, height, b1);
         if (from == POSITIVE || to == NEGATIVE) return;
         const double d = w.distance_at(p.x.high, height);
-        const Certified_window::Excess begin = w.excess_at(p.x, height, b0, true, from),
-                                       end = w.excess_at(p.x, height, b1, false, to);
-        const double error = w.radius + length_error * d + moved + 4 * w.error_of_image() + begin.around + end.around;
+        const double around =
+          (from == ZERO ? w.way_around(p.x, height, b0) : 0.) + (to == ZERO ? w.way_around(p.x, height, b1) : 0.);
+        const double error = w.radius + length_error * d + moved + 4 * w.error_of_image() + around;
         if (d + error < m_sources.least_start_value) return; // p is behind the segment that the rays start from
-        add_bounds(d - error, d + error + begin.behind + end.behind);
+        add_bounds(d - error, d + error);
       });
       // transformation to the frame of the next halfedge
       const Double_double_2& c = m_mesh[m_mesh.unfolded().next(h)].corner;

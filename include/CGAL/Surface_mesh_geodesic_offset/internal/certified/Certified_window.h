@@ -122,16 +122,21 @@ struct Certified_window
     // Image, b and p are displaced by at most their errors; seen from b, the image and the point turn by their errors. All
     // sizes are those of vectors from b, since coordinates may be much larger.
     const double from_b = to_image(b), along = (px.high - b.high) + (px.low - b.low), value = y * along - from_b * py;
-    const double error =
-      side_error * (std::abs(from_b) * py + std::abs(y * along)) + error_of_image() * (std::abs(along) + py) +
-      corner_error * (std::abs(px.high) + py + b.high) * (std::abs(from_b) + std::abs(y));
+    const double off = error_of_image(), off_p = corner_error * (std::abs(px.high) + py + b.high);
+    // The image is below the halfedge, and p is not: if both are before b, or both behind b, p is not on the ray.
+    if (from_b < -off && along < -off_p) return POSITIVE;
+    if (from_b > off && along > off_p) return NEGATIVE;
+    const double error = side_error * (std::abs(from_b) * py + std::abs(y * along)) + off * (std::abs(along) + py) +
+                         off_p * (std::abs(from_b) + std::abs(y));
     return value > error ? POSITIVE : value < -error ? NEGATIVE : ZERO;
   }
 
   // Excess length of the path around the end b of the interval over the distance of a point p for which side_of() is
-  // uncertain. The distance of p from the ray through b is at most twice the error above, divided by the length r of the
-  // ray up to b: at most 16 u |p - b| + 2 off |p - b|_1 / r + 2 corner_error (|p|_1 + b) sqrt(2). The path is longer by at
-  // most twice that, and by at most 2 r.
+  // uncertain. The distance of p from the ray through b is at most twice the error in side_of(), divided by the length r of the
+  // ray up to b: at most 16 u |p - b| + 2 off |p - b|_1 / r + 2 corner_error (|p|_1 + b) sqrt(2). The path is longer by at most
+  // that, if p is not behind b; p is behind b by at most off |p - b|_1 / r + corner_error (|p|_1 + b), as otherwise its side is
+  // certain, and the path is longer by twice this, too. It is longer by at most 2 r. Binding tests: test_certified_reference,
+  // steps in faces; for parallel rays, which start at a segment that p may be behind, test_certified_segments.
   double way_around(const Double_double& px, double py, const Double_double& b) const
   {
     const double along = std::abs((px.high - b.high) + (px.low - b.low)) + py;
@@ -140,27 +145,6 @@ struct Certified_window
     const double by_image = 6 * error_of_image() * along;
     return 5 * side_error * along + 8 * corner_error * (std::abs(px.high) + py + b.high) +
            (is_parallel() || by_image < 2 * r * r ? by_image / r : 2 * r);
-  }
-
-  // Excess length of the path around an end b of the interval over the distance of a point p for which side_of() is uncertain,
-  // if p is outside the interval and behind b, seen along the ray. A ray from a point that passes b has passed p before. Parallel
-  // rays start at a segment, and p may be behind it, where their distance is too small. Binding test: test_certified_segments.
-  double way_behind(const Double_double& px, double py, const Double_double& b, bool is_begin) const
-  {
-    const double along = (px.high - b.high) + (px.low - b.low), ahead = -(x * along + y * py);
-    if (!is_parallel() || (is_begin ? along >= 0 : along <= 0) || ahead >= 0) return 0;
-    return (std::abs(along) + py - ahead) * (1 + length_error);
-  }
-
-  // Both excess lengths at an end of the interval, by side_of() there; that behind it counts for upper bounds only.
-  struct Excess
-  {
-    double around = 0, behind = 0;
-  };
-  Excess excess_at(const Double_double& px, double py, const Double_double& b, bool is_begin, Sign side) const
-  {
-    if (side != ZERO) return Excess();
-    return {way_around(px, py, b), way_behind(px, py, b, is_begin)};
   }
 
   double minimum() const

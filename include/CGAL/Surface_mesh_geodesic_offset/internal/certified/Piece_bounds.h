@@ -238,7 +238,7 @@ private:
     const Certified_window& w = *c.window;
     const Double_double b0 = place(c, w.b0), b1 = place(c, w.b1);
     bool is_left = true, is_right = true, is_inside = true;
-    double around = 0, behind = 0;
+    double around = 0;
     for (int i = 0; i < piece.size; ++i)
     {
       const Double_double& x = piece.hull[i].x;
@@ -247,11 +247,8 @@ private:
       is_left = is_left && from == POSITIVE;
       is_right = is_right && to == NEGATIVE;
       is_inside = is_inside && from != POSITIVE && to != NEGATIVE;
-      for (const Certified_window::Excess& end : {w.excess_at(x, y, b0, true, from), w.excess_at(x, y, b1, false, to)})
-      {
-        around = (std::max)(around, end.around);
-        behind = (std::max)(behind, end.behind);
-      }
+      if (from == ZERO) around = (std::max)(around, w.way_around(x, y, b0));
+      if (to == ZERO) around = (std::max)(around, w.way_around(x, y, b1));
     }
     if (is_left || is_right) return;
     Bounds d;
@@ -269,7 +266,7 @@ private:
       w.radius + length_error * (std::abs(d.second) + m_perimeter) + everywhere + 4 * w.error_of_image() + around;
     if (d.second + error < m_sources.least_start_value) return; // behind the segment that the rays start from
     m_lower = (std::min)(m_lower, d.first - error);
-    if (is_inside) m_upper = (std::min)(m_upper, d.second + error + behind);
+    if (is_inside) m_upper = (std::min)(m_upper, d.second + error);
     m_candidates.push_back({c.window, c.frame, d.first - error});
   }
 
