@@ -640,7 +640,7 @@ public:
     const auto wanted = internal::offset_levels<Surface>(levels);
     const auto fresh = std::make_shared<Build>(data().unfolded(), classified_sources(), request(np));
     internal::propagate_and_cut<internal::Concurrency_tag_of<NamedParameters>, internal::build_parts_of<NamedParameters>>(
-      data(), *fresh, wanted, internal::offset_selection(np), f);
+      data(), *fresh, wanted, internal::offset_selection(np), false, f);
     internal::report(fresh->statistics, np);
     m_field = field_of(fresh);
   }

@@ -154,6 +154,77 @@ void kinds_of_sources()
                std::invalid_argument);
 }
 
+// A list of levels in braces, in all functions that have levels.
+void lists_of_levels()
+{
+  Report::instance().set_context("lists of levels");
+  const std::vector<Vertex_index> points{Vertex_index(0), Vertex_index(170)};
+  Geodesic geodesic(mesh());
+  for (const Vertex_index v : points) geodesic.add_source_point(v);
+  geodesic.build(CGAL::parameters::keep_windows(true));
+  const Offset_curves expected = offsets(geodesic, std::vector<double>{0.1, 0.2});
+  CHECK(expected.size() >= 4);
+  const auto check = [&](const Offset_curves& curves) {
+    CHECK(curves.size() == expected.size() && curves.front().distance() == 0.1 && curves.back().distance() == 0.2);
+    CHECK(std::abs(total_length(curves) - total_length(expected)) < 1e-12);
+  };
+  const auto check_written = [&](const auto& write) {
+    Offset_curves curves;
+    write(std::back_inserter(curves));
+    check(curves);
+  };
+  check_written([&](auto out) { geodesic.offset_curves({0.2, 0.1}, out); });
+  check_written([&](auto out) { geodesic.build().offset_curves({0.1, 0.2}, out); });
+  check_written([&](auto out) { geodesic.build_with_offset_curves({0.1, 0.2}, out); });
+  check_written([&](auto out) { CGAL::geodesic_offset_curves(mesh(), points, {0.1, 0.2}, out); });
+  const auto check_received = [&](const auto& call) {
+    Offset_curves curves;
+    std::size_t levels = 0;
+    call([&](double, Offset_curves&& some) {
+      ++levels;
+      curves.insert(curves.end(), some.begin(), some.end());
+    });
+    check(curves);
+    CHECK(levels == 2);
+  };
+  check_received([&](auto f) { geodesic.offset_curves_by_distance({0.1, 0.2}, f); });
+  check_received([&](auto f) { geodesic.build().offset_curves_by_distance({0.1, 0.2}, f); });
+  check_received([&](auto f) { geodesic.build_with_offset_curves_by_distance({0.1, 0.2}, f); });
+}
+
+// The propagation for a side ends with its last curve, but not before all sources have started.
+void last_curves()
+{
+  const Generated_mesh<Mesh> data(planar_grid(60, 6, Diagonals::alternating));
+  const Geodesic::Mesh located(data.mesh);
+  const auto line =
+    located.locate_polyline(std::vector<Point_3>{Point_3(3, 0, 0), Point_3(3, 6, 0)}).locations; // 3 on its left
+  const auto levels = CGAL::Offset_levels<double>::equally_spaced(0.4);
+  for (const double start : {0., 25.})
+    for (const CGAL::Offset_side side : {CGAL::Offset_side::LEFT, CGAL::Offset_side::RIGHT})
+    {
+      Report::instance().set_context("last curves, start value " + std::to_string(start));
+      Source_set set;
+      set.add_polyline(line);
+      if (start > 0) set.add_location(located.locate(Point_3(59, 3, 0)), CGAL::parameters::start_value(start));
+      Geodesic geodesic(located);
+      geodesic.add_sources(set);
+      const auto np = CGAL::parameters::offset_side(side);
+      Offset_curves curves, expected;
+      geodesic.build_with_offset_curves(levels, std::back_inserter(expected), np);
+      double passed = 0;
+      CGAL::geodesic_offset_curves(data.mesh, set, levels, std::back_inserter(curves), np.visitor([&](double part) {
+        if (part < 1) passed = part;
+        return true;
+      }));
+      CHECK_DETAIL(!curves.empty() && curves.size() == expected.size(), values(double(curves.size()), double(expected.size())));
+      CHECK(std::abs(total_length(curves) - total_length(expected)) < 1e-9);
+      if (start > 0) CHECK(curves.back().distance() > start);
+      if (start > 0 || side == CGAL::Offset_side::RIGHT) CHECK_DETAIL(passed > 0.6, std::to_string(passed));
+      else CHECK_DETAIL(0 < passed && passed < 0.2, std::to_string(passed)); // 3 of 60 on each side, and the front
+    }
+}
+
 // Levels, sides, limits.
 void parameters()
 {
@@ -392,6 +463,8 @@ void other_kernels()
 GEODESIC_OFFSET_TEST(test_free_functions)
 {
   kinds_of_sources();
+  lists_of_levels();
+  last_curves();
   parameters();
   fields();
   ids_of_source_sets();

@@ -283,7 +283,8 @@ public:
   /// @{
 
   /// cuts the offset curves at one or several distances. The curves are cut from the kept windows; if none
-  /// were kept, one more propagation up to the largest level cuts all of them.
+  /// were kept, one more propagation cuts all of them, up to the largest level, or to the first one larger than all start values
+  /// at which the selected sides have no curves.
   ///
   /// A level on which a vertex or a whole edge lies is cut as if these were infinitesimally farther: the curve bounds the
   /// points that are strictly nearer. With an inexact number type, the offset at \f$d\f$ is cut 1024 units in the last place

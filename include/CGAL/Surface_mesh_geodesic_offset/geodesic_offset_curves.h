@@ -39,7 +39,8 @@ using Geodesic_offset_curve_type =
 
 \brief computes the offset curves of sources at one or several distances, exact unless there is a tolerance.
 
-Curves come by increasing distance. Nothing is computed beyond the largest level, or beyond a distance limit that is less.
+Curves come by increasing distance. Nothing is computed beyond the largest level, or beyond a distance limit that is less, or
+beyond the first level larger than all start values at which the selected sides have no curves.
 The time is that of setting up the mesh, linear in its size, and of
 `Surface_mesh_geodesic_offset::build_with_offset_curves()`.
 
@@ -84,7 +85,7 @@ OutputIterator geodesic_offset_curves(const TriangleMesh& tm, const Sources& sou
   auto build = call.build(request);
   const auto write = internal::curve_writer<Geodesic_offset_curve_type<TriangleMesh, NamedParameters>>(out);
   internal::propagate_and_cut<typename Call::Concurrency_tag, Call::parts>(call.data(), build, wanted,
-                                                                           internal::offset_selection(np), write);
+                                                                           internal::offset_selection(np), true, write);
   internal::report(build.statistics, np);
   return out;
 }

@@ -38,6 +38,7 @@ public:
   Searching_consumer(Farthest_point<FT>* search, Face_consumer<FT, Team>& consumer) : m_search(search), m_consumer(consumer) {}
 
   bool reads_lists() const override { return m_consumer.reads_lists(); }
+  bool is_done() const override { return m_consumer.is_done(); }
   void process_finalized(const std::vector<Index>& faces, Team& team) override
   {
     if (m_search != nullptr) m_search->add(faces);
@@ -132,7 +133,7 @@ void Geodesic_build<Traits>::run_front(const Traits& traits, Consumer_of<Concurr
     const auto& targets = m_request.targets;
     while (next_target < targets.size() && is_final(front, targets[next_target], distance)) ++next_target;
     has_all_targets = !targets.empty() && next_target == targets.size();
-    if (has_all_targets) return false;
+    if (has_all_targets || consumer.is_done()) return false;
     is_cancelled = m_request.goes_on && !m_request.goes_on(double(passed) / double(m_mesh.number_of_faces()));
     return !is_cancelled;
   };

@@ -26,6 +26,9 @@ public:
   // True if the lists of the halfedges of a face are read. The functions below process_finalized() are called only then.
   virtual bool reads_lists() const { return false; }
 
+  // True if nothing beyond the settled distance is needed.
+  virtual bool is_done() const { return false; }
+
   // Receives finalized faces, each face once. The distances of their corners are final, and so are the lists of their halfedges
   // if they are read.
   virtual void process_finalized(const std::vector<Index>&, Team&) {}

@@ -121,14 +121,15 @@ private:
   std::size_t m_next = 0; // level
 };
 
-// Propagates, and calls f(distance, curves) for each level.
+// Propagates, and calls f(distance, curves) for each level. `only_curves`: as in Level_request.
 template <class Concurrency_tag, unsigned parts, class Surface, class Build, class Function>
 void propagate_and_cut(const Geodesic_mesh_data<Surface>& mesh, Build& build,
-                       const Offset_levels<typename Surface::Number>& levels, const Offset_selection& selection, Function& f)
+                       const Offset_levels<typename Surface::Number>& levels, const Offset_selection& selection,
+                       bool only_curves, Function& f)
 {
   Curve_output<Surface, Function> output(mesh.shared_surface, build, levels, f);
   cut_finalized_faces<Concurrency_tag, Build::parts_for(parts)>(
-    mesh.unfolded(), build, mesh.traits, {levels, selection},
+    mesh.unfolded(), build, mesh.traits, {levels, selection, only_curves},
     [&](std::size_t level, auto&& cut) { output.add(level, std::move(cut)); });
   output.finish();
 }
@@ -151,7 +152,7 @@ void cut_offset_curves(const Geodesic_mesh_data<Surface>& mesh, const Build& bui
   typename Surface::Number maximum = build.maximum;
   if (!levels.is_unlimited()) maximum = (std::min)(maximum, levels[levels.size() - 1]);
   Build second_build(mesh.unfolded(), build.sources, {maximum, false, {}, {}, build.request().tolerance});
-  propagate_and_cut<Concurrency_tag, MERGING>(mesh, second_build, levels, selection, f);
+  propagate_and_cut<Concurrency_tag, MERGING>(mesh, second_build, levels, selection, true, f);
 }
 
 } // namespace CGAL::Geodesic_offset::internal

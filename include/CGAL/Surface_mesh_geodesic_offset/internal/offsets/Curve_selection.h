@@ -42,18 +42,22 @@ public:
                                   "distances");
   }
 
-  void operator()(std::size_t level, const Level_curves<FT>& cut) const
+  // Returns whether some piece is in the selection, also if its part is dropped.
+  bool operator()(std::size_t level, const Level_curves<FT>& cut) const
   {
+    bool is_selected = false;
     std::vector<Level_curve<FT>> curves;
     const FT shortest = Offset_tolerances<FT>::shortest_part(m_levels[level] + m_edge);
     const FT rounded = Offset_tolerances<FT>::part_of_rounded_side(m_levels[level]);
     cut.for_each_curve([&](bool closed, std::vector<Level_piece<FT>>&& pieces) {
+      for (const Level_piece<FT>& p : pieces) is_selected = is_selected || m_select(p.source_ref);
       if (m_is_shallow(closed, pieces, m_levels[level])) return;
       m_select(shortest, rounded, closed, std::move(pieces), [&](bool is_closed, std::vector<Level_piece<FT>>&& part) {
         curves.push_back({is_closed, std::move(part)});
       });
     });
     m_out(level, std::move(curves));
+    return is_selected;
   }
 
 private:

@@ -9,10 +9,10 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/Geodesic_offset_statistics.h>
-#include <CGAL/Surface_mesh_geodesic_offset/Offset_levels.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/front/Face_consumer.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Curve_selection.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Offset_extraction.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/level_cutting.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/seconds_since.h>
 
 #include <chrono>
@@ -27,13 +27,14 @@ class Level_cutter : public Face_consumer<FT, Team>
 {
 public:
   bool reads_lists() const override { return true; }
+  bool is_done() const override { return m_is_done; }
 
-  // `out` must outlive this object.
+  // `request` and `out` must outlive this object.
   template <class Build>
-  Level_cutter(const Unfolded_mesh<FT>& mesh, const Build& build, const Offset_levels<FT>& levels,
+  Level_cutter(const Unfolded_mesh<FT>& mesh, const Build& build, const Level_request<FT>& request,
                const Curve_selection<FT>& out)
-    : m_tolerance(build.request().tolerance),
-      m_extraction(mesh, build.initial, build.field, levels, build.maximum, m_tolerance), m_out(out)
+    : m_tolerance(build.request().tolerance), m_request(request), m_last_start(build.initial.start_values.largest()),
+      m_extraction(mesh, build.initial, build.field, request.levels, build.maximum, m_tolerance), m_out(out)
   {
   }
 
@@ -76,7 +77,11 @@ private:
   void release(const FT& distance)
   {
     const Clock::time_point start = Clock::now();
-    m_extraction.release(distance, m_out);
+    m_extraction.release(distance, [this](std::size_t level, const Level_curves<FT>& cut) {
+      if (this->m_out(level, cut)) return;
+      // paths to farther points of the selection would pass this level there, as all start values are less
+      if (this->m_request.only_curves && this->m_request.levels[level] > this->m_last_start) this->m_is_done = true;
+    });
     m_seconds_within_propagation += seconds_since(start);
   }
 
@@ -93,8 +98,11 @@ private:
   }
 
   const Merging_tolerance<FT> m_tolerance; // unsettled points may be nearer than the settled distance by this
+  const Level_request<FT>& m_request;
+  const FT m_last_start; // the largest start value
   Offset_extraction<FT> m_extraction;
   const Curve_selection<FT>& m_out;
+  bool m_is_done = false;
   double m_seconds = 0;                    // of cutting
   double m_seconds_within_propagation = 0; // of cutting and output
 };

@@ -36,6 +36,7 @@ struct Level_request
 {
   const Offset_levels<FT>& levels;
   Offset_selection selection;
+  bool only_curves = false; // propagation ends with the last curve of the selection
 };
 
 // Cuts all faces at all levels. Levels without curves may be left out. Precondition: build.kept.

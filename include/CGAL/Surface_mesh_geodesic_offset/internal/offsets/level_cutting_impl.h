@@ -49,7 +49,7 @@ void cut_finalized_faces(const Unfolded_mesh<typename Traits::FT>& mesh, Geodesi
 {
   typedef typename Traits::FT FT;
   const Curve_selection<FT> select(mesh, build, request, out);
-  Level_cutter<FT, typename Concurrency<Concurrency_tag, FT>::Team::Type> cutter(mesh, build, request.levels, select);
+  Level_cutter<FT, typename Concurrency<Concurrency_tag, FT>::Team::Type> cutter(mesh, build, request, select);
   build.template run<Concurrency_tag, parts>(traits, cutter);
   cutter.finish(build.maximum, build.statistics);
 }
