@@ -10,6 +10,7 @@
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Surface_point.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Surface_points.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/weighted_points.h>
 
 namespace CGAL::Geodesic_offset::internal {
 
@@ -42,22 +43,13 @@ public:
 private:
   Point_3 between(Index a, Index b, const FT& t) const
   {
-    const Point_3 p = m_points.point_of_vertex(a), q = m_points.point_of_vertex(b);
-    const FT s = FT(1) - t;
-    return Point_3(FT(s * p.x() + t * q.x()), FT(s * p.y() + t * q.y()), FT(s * p.z() + t * q.z()));
+    return point_between<Point_3, FT>(m_points.point_of_vertex(a), m_points.point_of_vertex(b), t);
   }
 
   Point_3 weighted(Index face, const Per_corner<FT>& weights) const
   {
-    FT x(0), y(0), z(0);
-    for (Index k = 0; k < 3; ++k)
-    {
-      const Point_3 p = m_points.point_of_vertex(m_mesh.source(3 * face + k));
-      x += weights[k] * p.x();
-      y += weights[k] * p.y();
-      z += weights[k] * p.z();
-    }
-    return Point_3(x, y, z);
+    const auto corner = [&](Index k) { return m_points.point_of_vertex(m_mesh.source(3 * face + k)); };
+    return weighted_point<Point_3, FT>(weights, {corner(0), corner(1), corner(2)});
   }
 
   const Unfolded_mesh<FT>& m_mesh;

@@ -11,6 +11,7 @@
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Per_corner.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Surface_locator.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/weighted_points.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Number_policy.h>
 
 #include <CGAL/AABB_tree.h>
@@ -409,19 +410,7 @@ private:
 
   Triangle_projection<Kernel> projection(Index f) const { return Triangle_projection<Kernel>(corners(f)); }
 
-  Point_3 point(const Face_location& l) const
-  {
-    FT x(0), y(0), z(0);
-    const Per_corner<Point_3> corner = corners(l.first);
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      const FT& w = l.second[k];
-      x += w * corner[k].x();
-      y += w * corner[k].y();
-      z += w * corner[k].z();
-    }
-    return Point_3(x, y, z);
-  }
+  Point_3 point(const Face_location& l) const { return weighted_point<Point_3, FT>(l.second, corners(l.first)); }
 
   // Moves l, the location of p, to a vertex or an edge within the tolerance.
   Face_location snapped(const Face_location& l, const Point_3& p, const FT& tolerance) const

@@ -18,6 +18,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Computation_number.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/surface/face_links.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/point_conversion.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/weighted_points.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/workers/Concurrency.h>
 
 #include <algorithm>
@@ -250,8 +251,7 @@ struct Geodesic_surface : Surface_points<Space_kernel<typename Traits_::Kernel>>
     check_points();
     const auto &at_a = get(vpm, vertex_of[a]), &at_b = get(vpm, vertex_of[b]); // no copy if the map returns references
     const Point_3 &p = converted_point<Point_3, FT>(at_a), &q = converted_point<Point_3, FT>(at_b);
-    const FT s = FT(1) - t;
-    return Point_3(FT(s * p.x() + t * q.x()), FT(s * p.y() + t * q.y()), FT(s * p.z() + t * q.z()));
+    return point_between(p, q, t);
   }
 
   halfedge_descriptor halfedge_of(Index h) const
@@ -274,17 +274,9 @@ struct Geodesic_surface : Surface_points<Space_kernel<typename Traits_::Kernel>>
 
   Point_3 point(const Face_location& l) const
   {
-    FT x(0), y(0), z(0);
-    halfedge_descriptor h = halfedge(l.first, tm);
-    for (int k = 0; k < 3; ++k, h = next(h, tm))
-    {
-      const Point_3 p = position(source(h, tm));
-      const FT& w = l.second[std::size_t(k)];
-      x += w * p.x();
-      y += w * p.y();
-      z += w * p.z();
-    }
-    return Point_3(x, y, z);
+    const halfedge_descriptor h = halfedge(l.first, tm);
+    return weighted_point<Point_3, FT>(l.second,
+                                       {position(source(h, tm)), position(target(h, tm)), position(target(next(h, tm), tm))});
   }
 
   const Triangle_mesh& tm;
