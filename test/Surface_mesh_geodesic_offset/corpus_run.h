@@ -11,7 +11,7 @@
 #include "isolated_run.h"
 #include "offset_tools.h"
 #include "perturbed_meshes.h"
-#include "program_runner.h"
+#include "scratch_directory.h"
 #include "search_cases.h"
 #include "search_tolerances.h"
 #include "validation/Offset_validation.h"

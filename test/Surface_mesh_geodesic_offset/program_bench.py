@@ -6,6 +6,7 @@ A test is a function that takes a `Bench`. The scripts are called with the path 
 tests, the name of one. Their exit code is 77, for "skipped", where a reader is not installed.
 """
 
+import importlib
 import json
 import math
 import os
@@ -39,6 +40,19 @@ def skip(reader):
     sys.exit(1 if failures else 77)
 
 
+def readers(package, *names):
+    """Classes of a package of Debian, by module and name; without it the test is skipped."""
+    try:
+        found = [getattr(importlib.import_module(module), name) for module, name in (n.rsplit(".", 1) for n in names)]
+    except ImportError:
+        skip(package)
+    return found if len(found) > 1 else found[0]
+
+
+def vtk_readers(*names):
+    return readers("python3-vtk9", *("vtkmodules." + name for name in names))
+
+
 class Plane:
     """Isometric coordinates of a plane in space; right-handed if it is seen from its positive side."""
 
@@ -51,6 +65,10 @@ class Plane:
     def plane(self, p):
         d = [a - b for a, b in zip(p, self.origin)]
         return sum(a * b for a, b in zip(d, self.u)), sum(a * b for a, b in zip(d, self.v))
+
+    def text(self, p):
+        """The point as an argument of the program"""
+        return ",".join("%.17g" % x for x in self.space(p))
 
 
 HORIZONTAL = Plane((0, 0, 0.3))
@@ -98,6 +116,57 @@ def write_grid(path, embed, n=12, is_turned=False, is_two_sided=False):
     write_off(path, points, faces)
 
 
+def sphere(levels):
+    """Icosahedron whose faces are divided into four, `levels` times, with the vertices on the unit sphere."""
+    g = (1 + math.sqrt(5)) / 2
+    points = [p for s in (-1, 1) for t in (-g, g) for p in ((0, s, t), (s, t, 0), (t, 0, s))]
+    near = [{j for j, q in enumerate(points) if abs(math.dist(p, q) - 2) < 1e-9} for p in points]
+    faces = [(i, j, k) for i in range(12) for j in near[i] for k in near[i] & near[j] if i < j < k]
+    faces = [f if determinant(*(points[i] for i in f)) > 0 else f[::-1] for f in faces]
+    points = [tuple(x / math.hypot(*p) for x in p) for p in points]
+    for _ in range(levels):
+        middles = {}
+
+        def middle(i, j):
+            key = min(i, j), max(i, j)
+            if key not in middles:
+                p = [a + b for a, b in zip(points[i], points[j])]
+                middles[key] = len(points)
+                points.append(tuple(x / math.hypot(*p) for x in p))
+            return middles[key]
+
+        faces = [t for a, b, c in faces for x, y, z in ((middle(a, b), middle(b, c), middle(c, a)),)
+                 for t in ((a, x, z), (b, y, x), (c, z, y), (x, y, z))]
+    return points, faces
+
+
+def determinant(p, q, r):
+    return (p[0] * (q[1] * r[2] - q[2] * r[1]) - p[1] * (q[0] * r[2] - q[2] * r[0]) + p[2] * (q[0] * r[1] - q[1] * r[0]))
+
+
+def torus(n, m, major=1, minor=0.4):
+    angles = [(2 * math.pi * i / n, 2 * math.pi * j / m) for i in range(n) for j in range(m)]
+    points = [((major + minor * math.cos(b)) * math.cos(a), (major + minor * math.cos(b)) * math.sin(a), minor * math.sin(b))
+              for a, b in angles]
+    corners = [(i * m + j, (i + 1) % n * m + j, (i + 1) % n * m + (j + 1) % m, i * m + (j + 1) % m)
+               for i in range(n) for j in range(m)]
+    return points, [f for a, b, c, d in corners for f in ((a, b, c), (a, c, d))]
+
+
+def cube(side, n, moved=lambda x: x):
+    """With n x n squares per side; `moved` takes the coordinates of lines of the grid."""
+    number, faces = {}, []
+    for axis in range(3):
+        for end in (0, n):
+            for i in range(n):
+                for j in range(n):
+                    corners = [[i, j], [i + 1, j], [i + 1, j + 1], [i, j + 1]]
+                    keys = [tuple((c[:axis] + [end] + c[axis:])) for c in corners][::1 if (end > 0) == (axis != 1) else -1]
+                    a, b, c, d = (number.setdefault(key, len(number)) for key in keys)
+                    faces += [(a, b, c), (a, c, d)]
+    return [tuple(moved(x) * side / n for x in key) for key in number], faces
+
+
 def polyline_text(points):
     return "%d %s\n" % (len(points), " ".join("%.17g %.17g %.17g" % tuple(p) for p in points))
 
@@ -140,11 +209,38 @@ def stadium(d):
 class Bench:
     """A scratch folder in which the program runs."""
 
-    def __init__(self, program, folder):
-        self.program, self.folder = program, folder
+    def __init__(self, program, folder, options=()):
+        self.program, self.folder, self.options = program, folder, options
 
     def path(self, name):
         return os.path.join(self.folder, name)
+
+    def write(self, name, content):
+        with open(self.path(name), "wb") as out:
+            out.write(content if isinstance(content, bytes) else content.encode())
+        return self.path(name)
+
+    def start(self, *arguments, program="geodesic_offset", shell=None):
+        """Exit code and output of a program in the scratch folder. `shell`: with a command in front, and a redirection behind."""
+        words = [os.path.join(os.path.dirname(self.program), program), *map(str, arguments)]
+        if shell:
+            words = ["/bin/sh", "-c", '%s exec "$@" %s' % shell, "sh", *words]
+        return subprocess.run(words, cwd=self.folder, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                              encoding="utf-8", errors="backslashreplace", timeout=300, env=dict(os.environ, LC_ALL="C"))
+
+    def files(self):
+        return {name: os.lstat(self.path(name)).st_mtime_ns for name in os.listdir(self.folder)}
+
+    def expect_error(self, code, words, *arguments, program="geodesic_offset", shell=None):
+        """One line with the words, and no file is changed. Validating programs have no output."""
+        before = self.files()
+        result = self.start(*arguments, program=program, shell=shell)
+        text = result.stderr
+        check(result.returncode == code and text.count("\n") == 1 and text.startswith(program + ": ") and text.endswith("\n")
+              and text[:-1].isprintable() and len(text) < 1000 and all(word in text for word in words)
+              and (program == "geodesic_offset" or not result.stdout),
+              "%s, %s: exit code %d, not %d: %s%s" % (arguments, shell, result.returncode, code, result.stdout, text))
+        check(self.files() == before, "%s, %s: files were changed" % (arguments, shell))
 
     def run(self, *arguments, warning=None):
         """Returns the statistics. `warning`: words of the warning that is expected, the only one."""
@@ -160,12 +256,10 @@ class Bench:
             return json.load(file)
 
     def segment(self, plane):
-        with open(self.path("segment.polylines.txt"), "w") as out:
-            out.write(polyline_text([plane.space(A), plane.space(B)]))
-        return "--source-polyline", self.path("segment.polylines.txt")
+        return "--source-polyline", self.write("segment.polylines.txt", polyline_text([plane.space(A), plane.space(B)]))
 
     def center(self, plane):
-        return "--source-point", ",".join("%.17g" % x for x in plane.space(C))
+        return "--source-point", plane.text(C)
 
     def grid(self, plane, is_turned=False):
         write_grid(self.path("grid.off"), plane.space, is_turned=is_turned)
@@ -231,10 +325,10 @@ def check_levels(stats, distances):
 
 def run_test(**tests):
     """The `main` of a script."""
-    if len(sys.argv) != 3 or not os.path.exists(sys.argv[1]) or sys.argv[2] not in tests:
+    if len(sys.argv) < 3 or not os.path.exists(sys.argv[1]) or sys.argv[2] not in tests:
         print("usage: %s PROGRAM %s" % (os.path.basename(sys.argv[0]), "|".join(tests)))
         sys.exit(2)
     with tempfile.TemporaryDirectory() as folder:
-        tests[sys.argv[2]](Bench(sys.argv[1], folder))
+        tests[sys.argv[2]](Bench(os.path.abspath(sys.argv[1]), folder, sys.argv[3:]))
     print("%s: %d checks, %d failures" % (sys.argv[2], checks, failures))
     sys.exit(0 if failures == 0 and checks > 0 else 1)

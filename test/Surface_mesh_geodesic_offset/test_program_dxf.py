@@ -5,7 +5,7 @@
 import math
 
 from program_bench import (E, HORIZONTAL, TILTED, chain_length, check, check_close, check_levels, from_center,
-                           from_plate_center, from_segment, ridge_unfolded, run_test, skip, stadium)
+                           from_plate_center, from_segment, readers, ridge_unfolded, run_test, stadium)
 
 
 def bulge_pieces(entity):
@@ -35,8 +35,8 @@ def bulge_point(start, end, bulge, part):
             start[1] + factor * (x * math.sin(turn) + y * math.cos(turn)))
 
 
-def read_dxf(ezdxf, path):
-    document = ezdxf.readfile(path)
+def read_dxf(readfile, path):
+    document = readfile(path)
     auditor = document.audit()
     check(not auditor.has_errors and not auditor.has_fixes,
           "audit: %s" % [e.message for e in auditor.errors + auditor.fixes])
@@ -53,10 +53,7 @@ def vertices_3d(entity):
 
 
 def test_dxf(bench):
-    try:
-        import ezdxf
-    except ImportError:
-        skip("python3-ezdxf")
+    readfile = readers("python3-ezdxf", "ezdxf.readfile")
     out = bench.path("out.dxf")
 
     # in a horizontal plane: each curve is one polyline with true arcs, independent of the orientation of the faces
@@ -67,7 +64,7 @@ def test_dxf(bench):
                 (bench.center(HORIZONTAL), from_center, lambda d: 2 * math.pi * d, 2)):
             stats = bench.run(mesh, *source, "--distance", 0.3, "--distance", 2.5, "--output", out)
             check_levels(stats, [0.3, 2.5])
-            entities = read_dxf(ezdxf, out)
+            entities = read_dxf(readfile, out)
             check([e.dxftype() for e in entities] == ["LWPOLYLINE"] * 2, "one polyline a curve")
             check([e.dxf.layer for e in entities] == ["offset_0.3", "offset_2.5"], "names of layers")
             for entity, level in zip(entities, stats["curves"]):
@@ -86,7 +83,7 @@ def test_dxf(bench):
     # curves that end on the border of the mesh are open
     mesh = bench.grid(HORIZONTAL)
     stats = bench.run(mesh, *bench.center(HORIZONTAL), "--distance", 7, "--output", out)
-    entities = read_dxf(ezdxf, out)
+    entities = read_dxf(readfile, out)
     check(len(entities) == stats["curves"][0]["number"] == 4, "%d open curves" % len(entities))
     check(not any(e.closed for e in entities), "open curves")
     length = sum(bulge_length(*piece) for e in entities for piece in bulge_pieces(e))
@@ -95,7 +92,7 @@ def test_dxf(bench):
     # in a tilted plane: polylines in space
     stats = bench.run(bench.grid(TILTED), *bench.segment(TILTED), "--distance", 1.5, "--distance", 5.5,
                       "--tolerance", 1e-4, "--output", out)
-    entities = read_dxf(ezdxf, out)
+    entities = read_dxf(readfile, out)
     check(len(entities) == sum(level["number"] for level in stats["curves"]) and len(entities) > 1, "number of curves")
     for entity in entities:
         check(entity.dxftype() == "POLYLINE" and entity.is_3d_polyline, "polylines in space")
@@ -114,7 +111,7 @@ def test_dxf(bench):
     stats = bench.run(bench.ridge(), "--source-point", "4.5,6.2,0", "--distance", d, "--tolerance", 1e-5, "--output", out)
     check(stats["curves"][0]["number"] == stats["curves"][0]["closed"] == 1, "one closed curve over the ridge")
     check_close(stats["curves"][0]["length"], 2 * math.pi * d, 1e-9, "length over the ridge")
-    entities = read_dxf(ezdxf, out)
+    entities = read_dxf(readfile, out)
     check(sorted(e.dxftype() for e in entities) == ["LWPOLYLINE", "POLYLINE"], "two parts over the ridge")
     flat = [e for e in entities if e.dxftype() == "LWPOLYLINE"][0]
     steep = [e for e in entities if e.dxftype() == "POLYLINE"][0]
@@ -131,12 +128,12 @@ def test_dxf(bench):
 
     # straight over the ridge: no split
     bench.run(bench.path("ridge.off"), "--source-plane", "0,1,0,-6", "--distance", 1.7, "--output", out)
-    entities = read_dxf(ezdxf, out)
+    entities = read_dxf(readfile, out)
     check([e.dxftype() for e in entities] == ["POLYLINE"] * 2, "straight curves in one part: %s" % entities)
 
     # around the border of a plate: its two sides face up and down at the same height
     stats = bench.run(bench.plate(HORIZONTAL), "--source-point", "%g,%g,0.3" % E, "--distance", 3, "--output", out)
-    entities = read_dxf(ezdxf, out)
+    entities = read_dxf(readfile, out)
     check([e.dxftype() for e in entities] == ["LWPOLYLINE"] and entities[0].closed, "one polyline on both sides")
     pieces = bulge_pieces(entities[0])
     check_close(sum(bulge_length(*p) for p in pieces), 6 * math.pi, 1e-8, "length on both sides")
@@ -149,7 +146,7 @@ def test_dxf(bench):
     check(len(sides[0]) == len(sides[1]) == 1 and sides[0] != sides[1], "arcs on both sides turn in different ways")
 
     bench.run(mesh, "--source-vertex", 0, "--distance", 100, "--output", out, warning="no offset at distance 100")
-    check(read_dxf(ezdxf, out) == [], "no curves")
+    check(read_dxf(readfile, out) == [], "no curves")
 
 
 if __name__ == "__main__":

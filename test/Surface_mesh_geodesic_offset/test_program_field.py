@@ -6,7 +6,7 @@ import csv
 import math
 
 from program_bench import (A, B, HORIZONTAL, LENGTH, TILTED, check, check_close, from_center, from_segment, polyline_text,
-                           read_ply, run_test, skip, write_grid)
+                           read_ply, run_test, vtk_readers, write_grid)
 
 
 def read_field(path):
@@ -46,9 +46,8 @@ def test_field(bench):
     with open(table) as file:
         rows = list(csv.reader(file))
     check(len(rows) == 170, "%d rows of the second field" % len(rows))
-    with open(bench.path("down.off"), "w") as out:
-        out.write("OFF\n4 2 0\n0 0 0\n0 1 0\n1 1 0\n1 0 0\n3 0 1 2\n3 0 2 3\n")
-    bench.run(bench.path("down.off"), "--source-vertex", 0, "--distance", 0.3, "--field", table, "--field-details", "--output",
+    down = bench.write("down.off", "OFF\n4 2 0\n0 0 0\n0 1 0\n1 1 0\n1 0 0\n3 0 1 2\n3 0 2 3\n")
+    bench.run(down, "--source-vertex", 0, "--distance", 0.3, "--field", table, "--field-details", "--output",
               bench.path("offset.csv"))
     for name in (table, bench.path("offset.csv")):
         with open(name) as file:
@@ -97,13 +96,9 @@ def test_field(bench):
 
 def test_details(bench):
     """Nearest sources, sides and gradients, and the same columns in all formats."""
-    try:
-        from vtkmodules.vtkIOInfovis import vtkDelimitedTextReader
-        from vtkmodules.vtkIOLegacy import vtkPolyDataReader
-    except ImportError:
-        skip("python3-vtk9")
+    vtkDelimitedTextReader, vtkPolyDataReader = vtk_readers("vtkIOInfovis.vtkDelimitedTextReader", "vtkIOLegacy.vtkPolyDataReader")
     plane, far = TILTED, (10.2, 2.1)
-    sources = (bench.grid(plane), "--source-point", ",".join("%.17g" % x for x in plane.space(far)), *bench.segment(plane))
+    sources = (bench.grid(plane), "--source-point", plane.text(far), *bench.segment(plane))
     files = [bench.path("field" + extension) for extension in (".ply", ".vtk", ".csv")]
     names = ["x", "y", "z", "distance", "signed_distance", "source", "side", "gradient_x", "gradient_y", "gradient_z"]
     for limit in ((), ("--maximum-distance", 3)):
@@ -170,10 +165,7 @@ def test_details(bench):
 
 def test_sources(bench):
     """Start values, and one curve of a section, in files as VTK reads them."""
-    try:
-        from vtkmodules.vtkIOLegacy import vtkPolyDataReader
-    except ImportError:
-        skip("python3-vtk9")
+    vtkPolyDataReader = vtk_readers("vtkIOLegacy.vtkPolyDataReader")
     plane, far, files = TILTED, (10.2, 2.1), (bench.path("field.vtk"), bench.path("offsets.vtk"))
     reader = vtkPolyDataReader()
     reader.ReadAllFieldsOn()
@@ -186,7 +178,7 @@ def test_sources(bench):
 
     # the point begins at 2, the segment at 0.25: an offset at 2.75 is a circle of radius 0.75 and a stadium of 2.5
     start = (2, 0.25)
-    stats = bench.run(bench.grid(plane), "--source-point", ",".join("%.17g" % x for x in plane.space(far)), *bench.segment(plane),
+    stats = bench.run(bench.grid(plane), "--source-point", plane.text(far), *bench.segment(plane),
                       "--start-value", "0,2", "--start-value", "1,0.25", "--field", files[0], "--field-details",
                       "--distance", 2.75, "--output", files[1])
     data = read(files[0])
@@ -260,11 +252,9 @@ def test_sources(bench):
             check_close(data.GetPointData().GetArray("distance").GetTuple1(i), expected, 1e-11, "distance from a sharp chain")
 
     # a chain that ends at corners where three sharp edges meet, and a closed one
-    with open(bench.path("cube.off"), "w") as out:
-        out.write("OFF\n8 6 0\n")
-        out.writelines("%d %d %d\n" % (i % 2, i // 2 % 2, i // 4) for i in range(8))
-        out.write("4 0 2 3 1\n4 4 5 7 6\n4 0 1 5 4\n4 2 6 7 3\n4 0 4 6 2\n4 1 3 7 5\n")
-    bench.run(bench.path("cube.off"), "--source-sharp-edges", 60, "--sharp-edges-near", "0.5,0,0", "--field", files[0])
+    corners = "".join("%d %d %d\n" % (i % 2, i // 2 % 2, i // 4) for i in range(8))
+    cube = bench.write("cube.off", "OFF\n8 6 0\n%s4 0 2 3 1\n4 4 5 7 6\n4 0 1 5 4\n4 2 6 7 3\n4 0 4 6 2\n4 1 3 7 5\n" % corners)
+    bench.run(cube, "--source-sharp-edges", 60, "--sharp-edges-near", "0.5,0,0", "--field", files[0])
     data = read(files[0]).GetPointData().GetArray("distance")
     for i, expected in enumerate((0, 0, 1, 1, 1, 1, math.sqrt(2), math.sqrt(2))):
         check_close(data.GetTuple1(i), expected, 1e-12, "distance from one edge of a cube")
@@ -279,10 +269,8 @@ def test_sources(bench):
         check_close(data.GetTuple1(i), 3 if i < 8 else 0, 1e-12, "distance from one rim of a prism")
 
     # points above and below the mesh, moved along a slanted direction: (2, 3, 1) per unit of height; no warning about far points
-    with open(bench.path("moved.polylines.txt"), "w") as out:
-        out.write(polyline_text([(4.1 + 8, 5.2 + 12, 0.3 + 4), (7.3 - 2, 6.4 - 3, 0.3 - 1)]))
-    mesh = bench.grid(HORIZONTAL)
-    bench.run(mesh, "--source-polyline", bench.path("moved.polylines.txt"), "--source-point", "10.3,2.25,0.35", "--project", "2,3,1",
+    moved = bench.write("moved.polylines.txt", polyline_text([(4.1 + 8, 5.2 + 12, 0.3 + 4), (7.3 - 2, 6.4 - 3, 0.3 - 1)]))
+    bench.run(bench.grid(HORIZONTAL), "--source-polyline", moved, "--source-point", "10.3,2.25,0.35", "--project", "2,3,1",
               "--field", files[0], "--path-from", "6.3,10.6,2.3", "--path-output", files[1])
     data = read(files[0])
     for i in range(169):

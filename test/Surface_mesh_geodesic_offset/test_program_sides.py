@@ -3,9 +3,9 @@
 """Sides, closing and place on the surface of the polylines of the program, against closed forms."""
 
 import math
-import subprocess
 
 from program_bench import HORIZONTAL, chain_length, check, check_close, polyline_text, run_test, write_grid, write_off
+from test_program_paths import read_polylines
 
 
 def rectangle(a, b, c, d, z=0.3):
@@ -13,14 +13,7 @@ def rectangle(a, b, c, d, z=0.3):
 
 
 def write_curves(bench, name, *curves):
-    with open(bench.path(name), "w") as out:
-        out.write("".join(map(polyline_text, curves)))
-    return bench.path(name)
-
-
-def run(bench, *arguments):
-    return subprocess.run([bench.program, *map(str, arguments)], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                          universal_newlines=True, timeout=300)
+    return bench.write(name, "".join(map(polyline_text, curves)))
 
 
 def test_pocket(bench):
@@ -39,7 +32,7 @@ def test_pocket(bench):
         check("insides" not in same, "no inside is needed")
         outside = bench.run(mesh, "--source-polyline", pocket + ":" + other, "--distance", 0.5, "--side", "inside")
         check_close(outside["curves"][0]["length"], 38 + math.pi, 1e-9, "the side of a file precedes --side")
-        output = run(bench, mesh, "--source-polyline", pocket, "--distance", 0.5, "--side", "inside").stdout
+        output = bench.start(mesh, "--source-polyline", pocket, "--distance", 0.5, "--side", "inside").stdout
         check("line 1: inside = %s, the side without border" % side in output, output)
     # a pocket with islands in one run, and points, which have no side
     islands = write_curves(bench, "islands.polylines.txt", rectangle(3, 3, 4, 4), rectangle(7, 6, 8, 8)[::-1])
@@ -122,7 +115,7 @@ def test_closing(bench):
         check_close(stats["insides"][0]["area"], area, 1e-9, "closed by a segment")
         stats = bench.run(*arguments, "--side", "outside", "--close-gap", 10)
         check_close(stats["curves"][0]["length"], length + 0.5 * math.pi, 1e-9, "outside")
-        check("closed by a segment of length" in run(bench, *arguments, "--close-gap", 10).stdout, "closed by a segment")
+        check("closed by a segment of length" in bench.start(*arguments, "--close-gap", 10).stdout, "closed by a segment")
         check("insides" not in bench.run(*arguments, "--close-gap", 4.9), "open")
     is_closed = {0: True, 1e-16: True, 1e-12: True, 1e-10: True, 0.99e-9: True, 1.01e-9: False, 1e-6: False, 0.99e-4: False,
                  1.01e-4: False, 1e-3: False}
@@ -130,11 +123,11 @@ def test_closing(bench):
         points = rectangle(3, 2, 9, 6)  # 20 is its length
         points[4] = (3, 2 + 20 * part, 0.3)
         curve = write_curves(bench, "curve.polylines.txt", points)
-        result = run(bench, mesh, "--source-polyline", curve, "--distance", 0.25, "--side", "inside")
+        result = bench.start(mesh, "--source-polyline", curve, "--distance", 0.25, "--side", "inside")
         gap = points[4][1] - 2
         check((result.returncode == 0) == closed, "gap %g: %s" % (part, result.stderr))
         check(("line 1: closed, its ends are" in result.stdout) == (closed and gap > 0), "gap %g: %s" % (part, result.stdout))
-        result = run(bench, mesh, "--source-polyline", curve, "--distance", 0.25)
+        result = bench.start(mesh, "--source-polyline", curve, "--distance", 0.25)
         warns = 1e-9 < part < 1e-4
         check(result.returncode == 0 and ("open, although its ends are only" in result.stderr) == warns, result.stderr)
         if warns:
@@ -160,12 +153,6 @@ def write_shell(path, thickness, n=5):
     write_off(path, points, faces)
 
 
-def read_curves(path):
-    with open(path) as file:
-        rows = [[float(x) for x in line.split()] for line in file]
-    return [[tuple(row[i:i + 3]) for i in range(1, len(row), 3)] for row in rows]
-
-
 def test_skins(bench):
     shell, placed = bench.path("shell.off"), bench.path("placed.polylines.txt")
     write_shell(shell, 0.1)
@@ -173,11 +160,11 @@ def test_skins(bench):
                          [(x, 5, 0.055 if i % 2 == 0 else 0.045) for i, x in enumerate((2, 4, 5, 6, 8))])
     arguments = shell, "--source-polyline", curve, "--distance", 0.5, "--source-output", placed
     bench.run(*arguments, warning="from point 1 at 4,5,0.045 to the next one the path on the surface has length")
-    check(chain_length(read_curves(placed)[0]) > 20, "the curve goes around the rim")
+    check(chain_length(read_polylines(placed)[0]) > 20, "the curve goes around the rim")
     for direction in ("0,0,1", "0,0,-1", "0.001,0.002,1"):
         stats = bench.run(*arguments, "--project", direction)
         check_close(stats["curves"][0]["length"], 12 + math.pi, 1e-3, "in a thin shell, along " + direction)
-        check(len({p[2] for p in read_curves(placed)[0]}) == 1, "points on both skins")
+        check(len({p[2] for p in read_polylines(placed)[0]}) == 1, "points on both skins")
     # near the rim, where the ways around it are short
     near_rim = write_curves(bench, "near_rim.polylines.txt",
                             [(x, 0.5, 0.055 if x % 2 == 0 else 0.045) for x in range(2, 9)])
@@ -185,7 +172,7 @@ def test_skins(bench):
     # one skin for each polyline, the nearer one
     both = write_curves(bench, "both.polylines.txt", [(2, 3, 0.2), (8, 3, 0.2)], [(2, 7, -0.2), (8, 7, -0.2)])
     bench.run(shell, "--source-polyline", both, "--distance", 0.5, "--source-output", placed, "--project", "0,0,1")
-    check([{p[2] for p in c} for c in read_curves(placed)] == [{0.1}, {0}], "the nearer skin")
+    check([{p[2] for p in c} for c in read_polylines(placed)] == [{0.1}, {0}], "the nearer skin")
 
     # between the walls of a groove: points go to both, and the curve crosses the bottom again and again
     groove = bench.path("groove.off")

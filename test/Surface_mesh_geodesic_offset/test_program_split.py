@@ -7,7 +7,7 @@ import collections
 import math
 
 from program_bench import (HORIZONTAL, TILTED, check, check_close, from_center, from_segment, polyline_text, read_ply, run_test,
-                           skip)
+                           vtk_readers)
 from test_program_paths import read_polylines
 from test_program_vtk import read_vtk
 
@@ -38,18 +38,15 @@ def area(corners):
 
 def octahedron(bench):
     """A closed mesh, with a line over some of its faces."""
-    with open(bench.path("octahedron.off"), "w") as out:
-        out.write("OFF\n6 8 0\n6 0 0\n-6 0 0\n0 6 0\n0 -6 0\n0 0 6\n0 0 -6\n"
-                  "3 0 2 4\n3 2 1 4\n3 1 3 4\n3 3 0 4\n3 2 0 5\n3 1 2 5\n3 3 1 5\n3 0 3 5\n")
-    with open(bench.path("line.polylines.txt"), "w") as out:
-        out.write(polyline_text([(2, 2, 2), (-3, 2, 1)]))
-    return bench.path("octahedron.off"), "--source-polyline", bench.path("line.polylines.txt"), "--spacing", 1
+    mesh = bench.write("octahedron.off", "OFF\n6 8 0\n6 0 0\n-6 0 0\n0 6 0\n0 -6 0\n0 0 6\n0 0 -6\n3 0 2 4\n3 2 1 4\n3 1 3 4\n3 3 0 4\n"
+                       "3 2 0 5\n3 1 2 5\n3 3 1 5\n3 0 3 5\n")
+    return mesh, "--source-polyline", bench.write("line.polylines.txt", polyline_text([(2, 2, 2), (-3, 2, 1)])), "--spacing", 1
 
 
 def test_bands(bench):
     """Two sources in a plane: each face is in the band and near the source of its centroid, and bands have their areas."""
     plane, levels = TILTED, [0.5, 1.25]
-    far = ("--source-point", ",".join("%.17g" % x for x in plane.space(FAR)))
+    far = ("--source-point", plane.text(FAR))
     split = bench.path("split.ply")
     options = ("--tolerance", 1e-6, "--split", split)
     bench.run(bench.grid(plane), *far, *bench.segment(plane), "--distance", 0.5, "--distance", 1.25, *options)
@@ -101,11 +98,7 @@ def test_bands(bench):
 
 
 def test_vtk(bench):
-    try:
-        from vtkmodules.vtkIOPLY import vtkPLYReader
-        from vtkmodules.vtkFiltersCore import vtkFeatureEdges
-    except ImportError:
-        skip("python3-vtk9")
+    vtkPLYReader, vtkFeatureEdges = vtk_readers("vtkIOPLY.vtkPLYReader", "vtkFiltersCore.vtkFeatureEdges")
     split = bench.path("split.ply")
     bench.run(*octahedron(bench), "--split", split)
     points, faces, _ = read_split(split)
@@ -128,13 +121,9 @@ def test_vtk(bench):
 def test_voronoi(bench):
     """Two points and a segment in a plane: distances on curves from both sources, as VTK reads the file; cells of faces; their
     areas by integration along the curves."""
-    try:
-        from vtkmodules.vtkIOLegacy import vtkPolyDataReader
-        from vtkmodules.vtkIOPLY import vtkPLYReader
-    except ImportError:
-        skip("python3-vtk9")
+    vtkPolyDataReader, vtkPLYReader = vtk_readers("vtkIOLegacy.vtkPolyDataReader", "vtkIOPLY.vtkPLYReader")
     plane, second = TILTED, (9.6, 10.1)
-    points = [word for p in (FAR, second) for word in ("--source-point", ",".join("%.17g" % x for x in plane.space(p)))]
+    points = [word for p in (FAR, second) for word in ("--source-point", plane.text(p))]
     text, vtk, split = bench.path("cells.polylines.txt"), bench.path("cells.vtk"), bench.path("cells.ply")
     bench.run(bench.grid(plane), *points, *bench.segment(plane), "--tolerance", 1e-6, "--voronoi", text, "--voronoi", vtk,
               "--voronoi", split)

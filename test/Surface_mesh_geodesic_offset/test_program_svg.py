@@ -4,14 +4,12 @@
 
 import math
 import shutil
-import struct
 import subprocess
-import zlib
 from xml.etree import ElementTree
 
 from program_bench import (E, HORIZONTAL, TILTED, Plane, check, check_close, check_levels, from_center,
-                           from_plate_center, from_segment, run_test, skip)
-
+                           from_plate_center, from_segment, readers, run_test, skip, vtk_readers)
+from test_program_picture import Picture
 
 SVG = "{http://www.w3.org/2000/svg}"
 
@@ -31,47 +29,21 @@ def read_svg(path):
     return [float(x) for x in root.get("viewBox").split()], float(outer.get("stroke-width")), groups
 
 
-def read_png(data):
-    """Width, height and rows of grey values on white, of 8 bits a channel without interlacing."""
-    check(data[:8] == b"\x89PNG\r\n\x1a\n", "signature of PNG")
-    at, packed = 8, b""
-    while at < len(data):
-        size, kind = struct.unpack(">I4s", data[at:at + 8])
-        body = data[at + 8:at + 8 + size]
-        if kind == b"IHDR":
-            width, height, depth, color, _, _, interlaced = struct.unpack(">IIBBBBB", body)
-        elif kind == b"IDAT":
-            packed += body
-        at += size + 12
-    n = {0: 1, 2: 3, 4: 2, 6: 4}[color]
-    check(depth == 8 and interlaced == 0, "kind of PNG")
-    raw, rows, above = zlib.decompress(packed), [], bytearray(width * n)
-    for j in range(height):
-        kind, row = raw[j * (width * n + 1)], bytearray(raw[j * (width * n + 1) + 1:(j + 1) * (width * n + 1)])
-        for i in range(width * n):
-            a, b, c = (row[i - n] if i >= n else 0), above[i], (above[i - n] if i >= n else 0)
-            p = a + b - c
-            paeth = min((abs(p - a), 0, a), (abs(p - b), 1, b), (abs(p - c), 2, c))[2]
-            row[i] = (row[i] + (0, a, b, (a + b) // 2, paeth)[kind]) % 256
-        rows.append(row[::n])
-        above = row
-    return width, height, rows
-
-
 def check_picture(bench, path, level, distance):
     """What librsvg paints: dark on the level and nowhere else. `distance` takes user units."""
     if shutil.which("rsvg-convert") is None:
         skip("librsvg2-bin")
     (left, top, width, height), stroke, _ = read_svg(path)
     size = 500
-    png = subprocess.run(["rsvg-convert", "-w", str(size), "-b", "white", "-f", "png", path], stdout=subprocess.PIPE,
-                         check=True, timeout=120).stdout
-    columns, number_of_rows, rows = read_png(png)
-    check(columns == size and abs(number_of_rows - size * height / width) <= 1, "size of the picture")
+    png = bench.path("out.png")
+    subprocess.run(["rsvg-convert", "-w", str(size), "-b", "white", "-f", "png", "-o", png, path], check=True, timeout=120)
+    picture = Picture(vtk_readers("vtkIOImage.vtkPNGReader"), png)
+    check(picture.width == size and abs(picture.height - size * height / width) <= 1, "size of the picture")
     pixel = width / size
     dark = 0
-    for j, row in enumerate(rows):
-        for i, grey in enumerate(row):
+    for j in range(picture.height):
+        for i in range(size):
+            grey = picture.rgb(i, j)[0]
             off = abs(distance((left + (i + 0.5) * pixel, top + (j + 0.5) * pixel)) - level)
             dark += grey < 128
             if grey < 250:
@@ -84,10 +56,7 @@ def check_picture(bench, path, level, distance):
 
 
 def test_svg(bench):
-    try:
-        from svgelements import Arc, Line, Move, Path
-    except ImportError:
-        skip("python3-svgelements")
+    Arc, Line, Move, Path = readers("python3-svgelements", *("svgelements." + name for name in ("Arc", "Line", "Move", "Path")))
     out = bench.path("out.svg")
     levels = ("--distance", 0.3, "--distance", 2.5, "--distance", 7)
     for name, plane, is_turned in (("horizontal", HORIZONTAL, False), ("looking down", HORIZONTAL, True),

@@ -6,7 +6,7 @@ import csv
 import math
 
 from program_bench import (LENGTH, TILTED, chain_length, check, check_close, check_levels, from_center, from_segment,
-                           polyline_text, run_test, skip, stadium)
+                           polyline_text, run_test, stadium, vtk_readers)
 
 
 def read_vtk(reader, path, with_values=True):
@@ -36,16 +36,13 @@ TILTED_NORMAL = (1 / 3, -2 / 3, 2 / 3)
 
 
 def test_vtk(bench):
-    try:
-        from vtkmodules.vtkIOLegacy import vtkPolyDataReader
-    except ImportError:
-        skip("python3-vtk9")
+    vtkPolyDataReader = vtk_readers("vtkIOLegacy.vtkPolyDataReader")
     plane = TILTED
     out = bench.path("out.vtk")
     sources = (bench.grid(plane), *bench.center(plane), *bench.segment(plane))
 
     # both sides of a segment, and a circle around a point whose distance from it exceeds their sum
-    far = ("--source-point", ",".join("%.17g" % x for x in plane.space((10.2, 2.1))))
+    far = ("--source-point", plane.text((10.2, 2.1)))
     stats = bench.run(sources[0], *far, *bench.segment(plane), "--distance", 1.25, "--distance", 0.5, "--tolerance", 1e-3,
                       "--output", out)
     check_levels(stats, [0.5, 1.25])
@@ -111,11 +108,7 @@ def write_ridge_offsets(bench, name):
 
 def test_vtp(bench):
     """The lines of a file with a piece per level are those of a .vtk file; also without curves."""
-    try:
-        from vtkmodules.vtkIOLegacy import vtkPolyDataReader
-        from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
-    except ImportError:
-        skip("python3-vtk9")
+    vtkPolyDataReader, vtkXMLPolyDataReader = vtk_readers("vtkIOLegacy.vtkPolyDataReader", "vtkIOXML.vtkXMLPolyDataReader")
     files = write_ridge_offsets(bench, "out.vtp")
     expected, cells, points, _ = read_vtk(vtkPolyDataReader(), files[0])
     lines, xml_cells, xml_points, data = read_vtk(vtkXMLPolyDataReader(), files[1])
@@ -133,10 +126,7 @@ def test_vtp(bench):
 
 def test_csv(bench):
     """The rows of a .csv file are the points of the .vtk file."""
-    try:
-        from vtkmodules.vtkIOLegacy import vtkPolyDataReader
-    except ImportError:
-        skip("python3-vtk9")
+    vtkPolyDataReader = vtk_readers("vtkIOLegacy.vtkPolyDataReader")
     files = write_ridge_offsets(bench, "out.csv")
     expected = read_vtk(vtkPolyDataReader(), files[0])[0]
     with open(files[1], newline="") as file:
@@ -167,11 +157,7 @@ def test_levels(bench):
 
 
 def test_obj(bench):
-    try:
-        from vtkmodules.vtkIOGeometry import vtkOBJReader
-        from vtkmodules.vtkIOLegacy import vtkPolyDataReader
-    except ImportError:
-        skip("python3-vtk9")
+    vtkOBJReader, vtkPolyDataReader = vtk_readers("vtkIOGeometry.vtkOBJReader", "vtkIOLegacy.vtkPolyDataReader")
     bench.run(bench.grid(TILTED), *bench.center(TILTED), "--spacing", 1.5, "--output", bench.path("out.obj"),
               "--output", bench.path("out.vtk"))
     expected = read_vtk(vtkPolyDataReader(), bench.path("out.vtk"))[0]
