@@ -5,8 +5,8 @@ data/program_runs.txt.
 
     test_program_runs.py GEODESIC_OFFSET FILE [--update]
 
-The other programs are in the folder of GEODESIC_OFFSET. With --update the messages are written into the file, to be read before
-they are committed. The tables of a page (.md) have the rows
+The other programs are in the folder of GEODESIC_OFFSET. With --update the messages are written into the file, in loops those of the
+first words, to be read before they are committed. The tables of a page (.md) have the rows
 
     | `` arguments `` | code | `` message `` |                a command line
     | `` name `` | `` content `` | code | `` message `` |     a file, with the escapes of Python in its content
@@ -17,17 +17,18 @@ Other files have blocks of lines, divided by empty lines:
     # comment
     for NAME in WORD...     the block is run with each word, quoted as for a shell, in place of the name
     file NAME CONTENT       a file that remains; `<N name`: the first N bytes of another file
-    $ ARGUMENTS             a command line; without the name of a program, it is geodesic_offset
-    @ NAME CONTENT          a file, and the command line that reads it
-    [CODE] MESSAGE          exit code and error of the command above; without this line the run succeeds
-    ! MESSAGE               a warning, or another line on standard error
+    $ ARGUMENTS | [CODE] MESSAGE       a command line, exit code and error; without them the run succeeds. Without the name of a
+                                       program, it is geodesic_offset
+    @ NAME CONTENT | [CODE] MESSAGE    a file, and the command line that reads it
+    ! MESSAGE               another line on standard error: a warning
     > TEXT                  a part of a line of the output
     ? CONDITION             in Python, with the names of `conditions()`
     = NAME EXPRESSION       for conditions that follow
 
 In messages and texts, `...` stands for any text. In command lines, OUTPUTS is a file of each kind. Each run has exactly the given
 lines on standard error, with the name of the program in front, and none that cannot be printed; a failed run leaves all files of
-the folder as they are, and writes no others unless a condition is `new == ...`. A run with warnings is repeated with --quiet, which suppresses everything else.
+the folder as they are, and writes no others unless a condition is `new == ...`. A run with warnings is repeated with --quiet,
+which suppresses everything else.
 """
 
 import itertools
@@ -46,6 +47,7 @@ CELL = r"`` ([^`|]*) ``"  # Doxygen ends a span with one backtick at a quotation
 GIVEN = re.compile(r"^\| %s \| %s \|$" % (CELL, CELL))
 COMMAND = re.compile(r"^\| %s \| (\d*) \| %s \|$" % (CELL, CELL))
 FILE = re.compile(r"^\| %s \| %s \| (\d*) \| %s \|$" % (CELL, CELL, CELL))
+ROW = re.compile(r"(.*?)(?: \| (\[-?\d+\].*))?$")
 OUTPUTS = "--output out.polylines.txt --output out.vtk --output out.obj --output out.dxf --field field.ply --picture out.png"
 LEAST_CASES = 300  # of each file
 
@@ -113,46 +115,32 @@ class Runs:
         for name in names:
             os.remove(self.path(name))
 
-    # pages
-
-    def page_row(self, line):
-        """The row as it should be, and faults; None for a line that is none."""
-        in_file, in_command = FILE.match(line), COMMAND.match(line)
-        if in_file:
-            name, content = in_file.groups()[:2]
-            self.write(name, content)
-            code, _, messages, new, faults = self.run(command_of_file(name))
-            self.remove([name])
-            start = "| `` %s `` | `` %s ``" % (name, content)
-        elif in_command:
-            start = "| `` %s ``" % in_command[1]
-            code, _, messages, new, faults = self.run(in_command[1])
-        else:
-            if line.startswith("| ``") and not GIVEN.match(line):
-                return line, ["a row in none of the forms of this test"]
-            return None
-        if code not in (1, 2) or len(messages) != 1 or new:
-            faults.append("exit code %d, %d messages and the files %s" % (code, len(messages), new))
-        if any(c in message for message in messages for c in "`|"):
-            faults.append("the message cannot be in a table")
-        return "%s | %d | `` %s `` |" % (start, code, " ".join(messages)), faults
-
     def page(self, lines, report):
         for line in lines:
             given = GIVEN.match(line)
             if given:
                 self.write(*given.groups())
         for i, line in enumerate(lines):
-            row = self.page_row(line)
-            if row is None:
+            in_file, in_command = FILE.match(line), COMMAND.match(line)
+            if in_file:
+                name, content = in_file.groups()[:2]
+                self.write(name, content)
+                messages, faults = self.block_run(command_of_file(name), [])
+                self.remove([name])
+            elif in_command:
+                messages, faults = self.block_run(in_command[1], [])
+            else:
+                if line.startswith("| ``") and not GIVEN.match(line):
+                    report(i, ["a row in none of the forms of this test"])
                 continue
-            self.cases += 1
-            if row[0] != line and not report.update:
-                row[1].append("the program gives " + row[0][-300:])
-            lines[i] = row[0]
-            report(i, row[1])
-
-    # blocks
+            result = re.match(r"\[([12])\] ([^`|]+)$", messages[0]) if len(messages) == 1 else None
+            if result is None:
+                faults.append("the program gives %s, which cannot be in this table" % messages)
+            elif report.update:
+                lines[i] = re.sub(r"\| \d* \| `` [^`]* `` \|$", lambda _: "| %s | `` %s `` |" % result.groups(), line)
+            elif result.groups() != (in_file or in_command).groups()[-2:]:
+                faults.append("the program gives %s" % messages)
+            report(i, faults)
 
     def conditions(self, output, messages, new):
         """The names of conditions."""
@@ -164,7 +152,7 @@ class Runs:
                     field=lambda name="field.ply": [v["distance"] for v in read_ply(self.path(name))["vertex"][1]])
 
     def block_run(self, command, expected):
-        """Lines for exit code and messages, and faults of the other expectations."""
+        """Exit code and error, warnings, and faults of the other expectations."""
         self.cases += 1
         needs_stats = "--stats" not in command and any(line[0] in "?=" and re.search(r"\b(stats|levels|length)\b", line) for line in expected)
         options = ["--stats", "stats.json"] if needs_stats else []
@@ -191,16 +179,17 @@ class Runs:
                 faults.append("with --quiet: %s, %s" % (output, repeated))
             self.remove(new)
         warnings = ["! " + message for message in messages]
-        if code in (1, 2) and messages:
-            warnings[-1] = "[%d] %s" % (code, messages[-1])
-        elif code != 0:
-            warnings.insert(0, "[%d]" % code)
+        if code != 0:
+            warnings.insert(0, "[%d] %s" % (code, warnings.pop()[2:]) if code in (1, 2) and messages else "[%d]" % code)
         return warnings, faults
 
     def block(self, first, lines, report):
         """Runs a block, and returns its lines with the messages of the first words of its loops."""
         loops = [re.match(r"for ([A-Z]+) in (.*)$", line).groups() for line in lines if line.startswith("for ")]
         rows = [i for i, line in enumerate(lines) if line[0] in "$@"] + [len(lines)]
+        for i, line in enumerate(lines):
+            if not line.startswith(("for ", "file ", "#") if i < rows[0] else ("$", "@ ", "! ", "> ", "? ", "= ", "#")):
+                report(first + i, ["a line in none of the forms of this test"])
         result = None
         for words in itertools.product(*(shlex.split(words) for _, words in loops)):
             instance = lines
@@ -212,7 +201,8 @@ class Runs:
                     _, name, content = line.split(" ", 2)
                     self.write(name, content)
             for i, end in zip(rows, rows[1:]):
-                command, expected = instance[i][2:], instance[i + 1:end]
+                row, error = ROW.match(instance[i]).groups()
+                command, expected = row[2:], instance[i + 1:end]
                 if instance[i][0] == "@":
                     name, _, content = command.partition(" ")
                     self.write(name, content)
@@ -220,13 +210,16 @@ class Runs:
                 messages, faults = self.block_run(command, expected)
                 if instance[i][0] == "@":
                     self.remove([name])
-                wanted = [line for line in expected if line[0] in "[!"]
+                wanted = ([error] if error else []) + [line for line in expected if line[0] == "!"]
                 is_same = len(wanted) == len(messages) and all(map(matches_all, wanted, messages))
                 if not is_same and not report.update:
                     faults.append("the program gives %s" % messages)
                 if is_same or result is not None:
-                    messages = [line for line in lines[i + 1:end] if line[0] in "[!"]
-                new += [lines[i], *messages, *(line for line in lines[i + 1:end] if line[0] not in "[!")]
+                    new += lines[i:end]
+                else:
+                    errors = "".join(" | " + line for line in messages if line[0] == "[")
+                    new += [ROW.match(lines[i])[1] + errors, *(line for line in messages if line[0] == "!"),
+                            *(line for line in lines[i + 1:end] if line[0] != "!")]
                 report(first + i, faults)
             result = result or new
         return result or lines
