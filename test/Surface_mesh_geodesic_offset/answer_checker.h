@@ -24,27 +24,6 @@
 
 namespace test {
 
-/// A source as it was added.
-struct Known_source
-{
-  enum Kind { POINT, POLYLINE, EDGES };
-
-  Kind kind;
-  std::vector<Geodesic::Face_location> locations; // of a point or a polyline
-  bool is_closed = false;
-  std::vector<Surface_mesh::Edge_index> edges;
-
-  std::size_t add_to(Geodesic& geodesic) const
-  {
-    return kind == POINT    ? geodesic.add_source_point(locations.front())
-         : kind == POLYLINE ? geodesic.add_source_polyline(locations, CGAL::parameters::is_closed(is_closed))
-                            : geodesic.add_source_edges(edges);
-  }
-
-  std::size_t number_of_segments() const { return locations.size() - (is_closed ? 0 : 1); }
-  std::size_t after(std::size_t i) const { return (i + 1) % locations.size(); }
-};
-
 /// Kinds of faults. Each query counts once per kind.
 enum Answer_fault {
   WRONG_LENGTH,   // the path is not as long as the distance
@@ -108,7 +87,7 @@ public:
   std::size_t number_of_points = 0;
 
   /// What is wrong at a point: a bit per Answer_fault.
-  unsigned check(const Geodesic& geodesic, const std::map<std::size_t, Known_source>& sources, const Face_location& query)
+  unsigned check(const Geodesic& geodesic, const Face_location& query)
   {
     faults_ = 0;
     detail_.clear();
@@ -118,6 +97,7 @@ public:
     const Vector_3 gradient = geodesic.gradient(query).value_or(CGAL::NULL_VECTOR);
     std::vector<Face_location> path;
     geodesic.shortest_path_to_sources(query, std::back_inserter(path));
+    const auto& sources = geodesic.sources().sources();
     if (is_flat_) check_distance(sources, query, d);
     expect(path.empty() == std::isinf(d) && nearest.has_value() == std::isfinite(d), WRONG_FORM, "reachable");
     if (path.empty() || !nearest) return faults_;
@@ -136,10 +116,9 @@ public:
   }
 
   /// At a vertex: also the functions for vertices.
-  unsigned check_vertex(const Geodesic& geodesic, const std::map<std::size_t, Known_source>& sources, Vertex_index v,
-                        std::size_t label)
+  unsigned check_vertex(const Geodesic& geodesic, Vertex_index v, std::size_t label)
   {
-    check(geodesic, sources, locations_.at_vertex(v, 1));
+    check(geodesic, locations_.at_vertex(v, 1));
     const auto nearest = geodesic.nearest_source(v);
     expect(label == (nearest ? nearest->source : Geodesic::no_source()), WRONG_LABEL, "label of a vertex");
     return faults_;
@@ -229,14 +208,15 @@ private:
     return distance(v, {t * u[0], t * u[1], t * u[2]});
   }
 
-  void check_distance(const std::map<std::size_t, Known_source>& sources, const Face_location& query, double d)
+  void check_distance(const std::map<std::size_t, Source>& sources, const Face_location& query, double d)
   {
     const Point p = point(query);
     Number expected = std::numeric_limits<Number>::infinity();
     for (const auto& entry : sources)
     {
-      const Known_source& s = entry.second;
-      if (s.kind == Known_source::EDGES)
+      const Source& s = entry.second;
+      if (s.kind == Source_kind::VERTEX) expected = (std::min)(expected, distance(p, vertex_point(s.vertex)));
+      if (s.kind == Source_kind::EDGES)
         for (auto e : s.edges)
           expected =
             (std::min)(expected, distance_to_segment(p, vertex_point(mesh_.vertex(e, 0)), vertex_point(mesh_.vertex(e, 1))));
@@ -245,7 +225,7 @@ private:
           expected = (std::min)(
             expected,
             distance_to_segment(p, point(s.locations[i]),
-                                point(s.locations[s.is_closed ? s.after(i) : (std::min)(i + 1, s.locations.size() - 1)])));
+                                point(s.locations[is_closed(s) ? after(s, i) : (std::min)(i + 1, s.locations.size() - 1)])));
     }
     const double error = double(std::abs(d - expected) / (expected + longest_edge_));
     worst_distance = (std::max)(worst_distance, error);
@@ -310,12 +290,15 @@ private:
     expect(norm(sum) <= 1e-9 + 4e-9 * longest_edge_ / l, WRONG_GRADIENT, "gradient off by " + number(double(norm(sum))));
   }
 
-  void check_part(const Known_source& source, const Geodesic::Nearest_source& nearest)
+  void check_part(const Source& source, const Geodesic::Nearest_source& nearest)
   {
     const Point p = point(nearest.location);
     // a point on a source up to rounding has distance 0
     const double rounding = is_close_ ? (std::max)(5e-14 * scale_, 2.1e-13 * longest_edge_) : 5e-14 * scale_;
-    if (source.kind == Known_source::EDGES)
+    if (source.kind == Source_kind::VERTEX)
+      return expect(!nearest.is_segment && nearest.part == 0 && distance(p, vertex_point(source.vertex)) <= rounding, WRONG_END,
+                    "vertex");
+    if (source.kind == Source_kind::EDGES)
     {
       if (!nearest.is_segment)
       {
@@ -331,26 +314,30 @@ private:
       return;
     }
     const std::size_t n = source.locations.size();
-    const std::size_t parts = nearest.is_segment ? source.number_of_segments() : n;
+    const std::size_t parts = nearest.is_segment ? number_of_segments(source) : n;
     if (nearest.part >= parts) return expect(false, WRONG_END, "no such part");
     const Point a = point(source.locations[nearest.part]);
     const Number off =
-      nearest.is_segment ? distance_to_segment(p, a, point(source.locations[source.after(nearest.part)])) : distance(p, a);
+      nearest.is_segment ? distance_to_segment(p, a, point(source.locations[after(source, nearest.part)])) : distance(p, a);
     expect(off <= rounding, WRONG_END,
            (nearest.is_segment ? "off the segment by " : "off the point by ") + number(double(off)));
   }
+
+  static bool is_closed(const Source& s) { return s.kind == Source_kind::CLOSED_POLYLINE; }
+  static std::size_t number_of_segments(const Source& s) { return s.locations.size() - (is_closed(s) ? 0 : 1); }
+  static std::size_t after(const Source& s, std::size_t i) { return (i + 1) % s.locations.size(); }
 
   enum Extent { IS_POINT, HAS_SIDES, IS_OPEN };
 
   /// Points inside one face, inside one edge or at one vertex are one point, and have no sides, up to a length of 16 u of the edges
   /// of the face. Between half and twice of it, and beside the limit of coordinates that count as zero, it is open.
-  Extent extent(const Known_source& source) const
+  Extent extent(const Source& source) const
   {
     const auto& l = source.locations;
     Number size = 0;
-    for (std::size_t i = 0; i < source.number_of_segments(); ++i)
+    for (std::size_t i = 0; i < number_of_segments(source); ++i)
     {
-      const Face_location &p = l[i], &q = l[source.after(i)];
+      const Face_location &p = l[i], &q = l[after(source, i)];
       const std::vector<Vertex_index> elements[] = {element(p, 0.9e-13), element(p, 1.1e-13), element(q, 0.9e-13),
                                                     element(q, 1.1e-13)};
       if (elements[0] != elements[1] || elements[2] != elements[3]) return IS_OPEN;
@@ -387,24 +374,24 @@ private:
     return result;
   }
 
-  void check_side(const Known_source& source, const Geodesic::Nearest_source& nearest, const std::vector<Face_location>& path)
+  void check_side(const Source& source, const Geodesic::Nearest_source& nearest, const std::vector<Face_location>& path)
   {
     using Side = CGAL::Source_side;
-    const Extent sides = source.kind != Known_source::POLYLINE ? IS_POINT : extent(source);
+    const Extent sides = source.kind != Source_kind::OPEN_POLYLINE && !is_closed(source) ? IS_POINT : extent(source);
     if (sides == IS_POINT || (sides == IS_OPEN && nearest.side == Side::NONE))
     {
       expect(nearest.side == Side::NONE, WRONG_SIDE, "a side of a source without sides");
-      expect(nearest.is_segment <= (source.kind == Known_source::EDGES), WRONG_SIDE, "a segment of a point");
+      expect(nearest.is_segment <= (source.kind == Source_kind::EDGES), WRONG_SIDE, "a segment of a point");
       return;
     }
-    const bool is_end = !nearest.is_segment && !source.is_closed && is_at_end(source, nearest.part);
+    const bool is_end = !nearest.is_segment && !is_closed(source) && is_at_end(source, nearest.part);
     if (is_end) return expect(nearest.side == Side::CAP, WRONG_SIDE, "an end without a cap");
     if (!expect_lateral(nearest.side) || path.size() < 2) return;
     const Point foot = point(path.back()), away = difference(point(path[path.size() - 2]), foot);
     if (norm(away) <= 1e-6 * longest_edge_) return;
     if (nearest.is_segment)
     {
-      const Face_location &a = source.locations[nearest.part], &b = source.locations[source.after(nearest.part)];
+      const Face_location &a = source.locations[nearest.part], &b = source.locations[after(source, nearest.part)];
       const Face_index f = locations_.common_face(path[path.size() - 2], path.back());
       Geodesic::Barycentric_coordinates unused;
       if (f == Surface_mesh::null_face()) return;
@@ -426,7 +413,7 @@ private:
   }
 
   // An end of an open polyline, which may be repeated.
-  bool is_at_end(const Known_source& source, std::size_t part) const
+  bool is_at_end(const Source& source, std::size_t part) const
   {
     const auto& l = source.locations;
     bool first = true, last = true;
@@ -436,7 +423,7 @@ private:
   }
 
   // Of the segments before and behind a point of a polyline.
-  bool directions_at(const Known_source& source, std::size_t part, Point& in, Point& out) const
+  bool directions_at(const Source& source, std::size_t part, Point& in, Point& out) const
   {
     const auto& l = source.locations;
     const std::size_t n = l.size();

@@ -42,6 +42,7 @@ public:
   typedef Surface_mesh::Vertex_index Vertex_index;
   typedef Surface_mesh::Halfedge_index Halfedge_index;
   typedef Surface_mesh::Face_index Face_index;
+  typedef std::map<std::size_t, Source> Sources_by_id;
 
   /// BESIDE: sources and points beside vertices, edges and each other, on meshes with faces of very different sizes. IN_FACES:
   /// polylines in faces, beside their edges.
@@ -216,9 +217,9 @@ private:
   }
 
   /// Sources through points beside vertices and edges.
-  std::vector<Known_source> sources_beside(Geodesic& geodesic, Answer_counts& counts)
+  std::vector<Source> sources_beside(Geodesic& geodesic, Answer_counts& counts)
   {
-    std::vector<Known_source> result;
+    std::vector<Source> result;
     const auto location = [&] { return uniform(random_) < 0.6 ? closely_beside() : any_location(0.5); };
     for (std::size_t i = 0, n = 1 + uniform_index(random_, 3); i < n; ++i)
     {
@@ -257,12 +258,12 @@ private:
   }
 
   /// Polylines that stay in a face, with vertices beside its edges, but not so near that they are put on them.
-  std::vector<Known_source> sources_in_faces()
+  std::vector<Source> sources_in_faces()
   {
-    std::vector<Known_source> result;
+    std::vector<Source> result;
     for (std::size_t i = 0, n = 1 + uniform_index(random_, 2); i < n; ++i)
     {
-      Known_source source{Known_source::POLYLINE, {}, false, {}};
+      Source source = polyline_source({});
       const auto f = face();
       for (std::size_t k = 0, m = 2 + uniform_index(random_, 3); k < m; ++k)
       {
@@ -271,7 +272,7 @@ private:
                                                           : anywhere());
         source.locations.back().first = f;
       }
-      source.is_closed = source.locations.size() > 2 && uniform(random_) < 0.4;
+      if (source.locations.size() > 2 && uniform(random_) < 0.4) source.kind = Source_kind::CLOSED_POLYLINE;
       if (uniform(random_) < 0.15)
         source.locations.insert(source.locations.end(), source.locations.rbegin() + 1, source.locations.rend());
       result.push_back(source);
@@ -307,11 +308,9 @@ private:
     return true;
   }
 
-  Known_source point_source(const Face_location& l) const { return {Known_source::POINT, {l}, false, {}}; }
-
   /// A polyline through the given locations, by shortest paths; `shortest`: segments are divided down to this part of them.
-  Known_source joined(Geodesic& geodesic, const std::vector<Face_location>& through, bool is_closed, double shortest,
-                      Answer_counts& counts)
+  Source joined(Geodesic& geodesic, const std::vector<Face_location>& through, bool is_closed, double shortest,
+                Answer_counts& counts)
   {
     const Geodesic::Polyline polyline = geodesic.join_polyline(through, CGAL::parameters::is_closed(is_closed));
     if (checker_->repeats_points(polyline.locations, polyline.is_closed) || !checker_->is_connected(polyline.locations))
@@ -319,7 +318,7 @@ private:
       ++counts.wrong_polylines;
       print("join_polyline repeats a point, or is not connected");
     }
-    Known_source result{Known_source::POLYLINE, {}, polyline.is_closed, {}};
+    Source result = polyline_source({}, polyline.is_closed);
     const auto& l = polyline.locations;
     for (std::size_t i = 0; i < l.size(); ++i)
     {
@@ -342,15 +341,15 @@ private:
     return result;
   }
 
-  std::vector<Known_source> spread_sources(Geodesic& geodesic, Answer_counts& counts)
+  std::vector<Source> spread_sources(Geodesic& geodesic, Answer_counts& counts)
   {
-    std::vector<Known_source> result;
+    std::vector<Source> result;
     const double lattice = uniform(random_) < 0.5 ? 0.8 : 0;
     for (std::size_t i = 0, n = 1 + uniform_index(random_, 3); i < n; ++i)
     {
       const double choice = uniform(random_);
       if (choice < 0.35) result.push_back(point_source(any_location(lattice)));
-      else if (choice < 0.45) result.push_back({Known_source::EDGES, {}, false, some_edges(1 + uniform_index(random_, 4))});
+      else if (choice < 0.45) result.push_back(edge_source(some_edges(1 + uniform_index(random_, 4))));
       else
       {
         std::vector<Face_location> through;
@@ -363,20 +362,20 @@ private:
   }
 
   /// A polyline, and sources that have parts in common with it.
-  std::vector<Known_source> coinciding_sources(Geodesic& geodesic, Answer_counts& counts)
+  std::vector<Source> coinciding_sources(Geodesic& geodesic, Answer_counts& counts)
   {
     std::vector<Face_location> through;
     const double lattice = uniform(random_) < 0.7 ? 1 : 0;
     for (std::size_t k = 0, m = 2 + uniform_index(random_, 3); k < m; ++k) through.push_back(any_location(lattice));
-    std::vector<Known_source> result;
+    std::vector<Source> result;
     result.push_back(joined(geodesic, through, uniform(random_) < 0.3, 1, counts));
     for (std::size_t i = 0, n = 1 + uniform_index(random_, 4); i < n; ++i)
     {
-      const Known_source known = result[uniform_index(random_, result.size())];
+      const Source known = result[uniform_index(random_, result.size())];
       const auto& l = known.locations;
-      if (known.kind == Known_source::EDGES) continue;
+      if (known.kind == Source_kind::EDGES) continue;
       const std::size_t first = uniform_index(random_, l.size()), number = 1 + uniform_index(random_, l.size() - first);
-      Known_source other{Known_source::POLYLINE, {}, false, {}};
+      Source other = polyline_source({});
       switch (uniform_index(random_, 8))
       {
       case 0: // again
@@ -401,7 +400,7 @@ private:
         other = joined(geodesic, through, false, 1, counts);
         break;
       case 6: // edges, some with both ends on it
-        other = {Known_source::EDGES, {}, false, edges_at(known)};
+        other = edge_source(edges_at(known));
         if (other.edges.empty()) other.edges = some_edges(2);
         break;
       default: // a part from inside a segment to inside a segment
@@ -417,7 +416,7 @@ private:
     return result;
   }
 
-  std::vector<Surface_mesh::Edge_index> edges_at(const Known_source& source) const
+  std::vector<Surface_mesh::Edge_index> edges_at(const Source& source) const
   {
     std::vector<Surface_mesh::Edge_index> result;
     for (std::size_t i = 0; i + 1 < source.locations.size(); ++i)
@@ -431,21 +430,21 @@ private:
     return result;
   }
 
-  const Known_source& any_of(const std::map<std::size_t, Known_source>& sources)
+  const Source& any_of(const Sources_by_id& sources)
   {
     return std::next(sources.begin(), std::ptrdiff_t(uniform_index(random_, sources.size())))->second;
   }
 
-  Face_location vertex_of(const std::map<std::size_t, Known_source>& sources)
+  Face_location vertex_of(const Sources_by_id& sources)
   {
-    const Known_source& s = any_of(sources);
+    const Source& s = any_of(sources);
     return s.locations[uniform_index(random_, s.locations.size())];
   }
 
   /// A point of a source, or beside it.
-  Face_location at_source(const std::map<std::size_t, Known_source>& sources)
+  Face_location at_source(const Sources_by_id& sources)
   {
-    const Known_source& s = any_of(sources);
+    const Source& s = any_of(sources);
     if (s.locations.empty()) return on_lattice();
     const std::size_t i = uniform_index(random_, s.locations.size());
     Face_location result = s.locations[i];
@@ -463,14 +462,14 @@ private:
   void run(Answer_counts& counts)
   {
     Geodesic geodesic(*mesh_);
-    const std::vector<Known_source> list =
+    const std::vector<Source> list =
       kind_of_sources_ == SPREAD       ? spread_sources(geodesic, counts)
       : kind_of_sources_ == COINCIDING ? coinciding_sources(geodesic, counts)
       : kind_of_sources_ == IN_FACES
         ? sources_in_faces()
         : sources_beside(geodesic, counts);
-    std::map<std::size_t, Known_source> sources;
-    for (const Known_source& s : list) sources[s.add_to(geodesic)] = s;
+    geodesic.add_sources(source_set(list));
+    const Sources_by_id& sources = geodesic.sources().sources();
     geodesic.build(CGAL::parameters::keep_windows(true));
     std::map<Vertex_index, std::size_t> labels;
     geodesic.source_labels(boost::make_assoc_property_map(labels));
@@ -487,19 +486,18 @@ private:
         : choice < 0.75                                       ? beside_boundary()
                                                               : anywhere();
       if (is_vertex && mesh_->is_isolated(v)) continue;
-      const unsigned faults =
-        is_vertex ? checker_->check_vertex(geodesic, sources, v, labels[v]) : checker_->check(geodesic, sources, query);
+      const unsigned faults = is_vertex ? checker_->check_vertex(geodesic, v, labels[v]) : checker_->check(geodesic, query);
       ++counts.queries;
       if (faults == 0) continue;
       ++counts.wrong;
       for (int k = 0; k < NUMBER_OF_ANSWER_FAULTS; ++k)
         if (faults & 1u << k) ++counts.faults[k];
       print("query " + std::to_string(i) + ": " + checker_->detail());
-      if (describes_) describe(geodesic, sources, is_vertex ? checker_->locations().at_vertex(v, 1) : query);
+      if (describes_) describe(geodesic, is_vertex ? checker_->locations().at_vertex(v, 1) : query);
     }
   }
 
-  void describe(const Geodesic& geodesic, const std::map<std::size_t, Known_source>& sources, const Face_location& query)
+  void describe(const Geodesic& geodesic, const Face_location& query)
   {
     log_.precision(17);
     const auto write = [&](const Face_location& l) {
@@ -508,10 +506,10 @@ private:
       log_ << ": " << l.second[0] << ' ' << l.second[1] << ' ' << l.second[2] << "   at " << checker_->locations().point(l)
            << '\n';
     };
-    for (const auto& s : sources)
+    for (const auto& s : geodesic.sources().sources())
     {
-      static const char* const names[] = {"point", "polyline", "edges"};
-      log_ << "  source " << s.first << ": " << names[s.second.kind] << (s.second.is_closed ? ", closed" : "") << '\n';
+      static const char* const names[] = {"vertex", "point", "polyline", "closed polyline", "edges"};
+      log_ << "  source " << s.first << ": " << names[std::size_t(s.second.kind)] << '\n';
       for (const Face_location& l : s.second.locations) write(l);
       for (auto e : s.second.edges)
         log_ << "    " << mesh_->point(mesh_->vertex(e, 0)) << " to " << mesh_->point(mesh_->vertex(e, 1)) << '\n';

@@ -28,6 +28,51 @@ typedef Geodesic_on<Surface_mesh> Geodesic;
 template <class AnyKernel, class Mesh>
 using Geodesic_with = CGAL::Surface_mesh_geodesic_offset<CGAL::Surface_mesh_geodesic_offset_traits<AnyKernel, Mesh>>;
 
+/// A source, which can be added to several objects.
+typedef Geodesic::Source_set::Source Source;
+typedef Geodesic::Source_set::Kind Source_kind;
+
+inline Source point_source(const Geodesic::Face_location& l, double start = 0)
+{
+  return {Source_kind::LOCATION, Surface_mesh::null_vertex(), {l}, {}, start};
+}
+inline Source point_source(Surface_mesh::Vertex_index v, double start = 0) { return {Source_kind::VERTEX, v, {}, {}, start}; }
+inline Source polyline_source(const std::vector<Geodesic::Face_location>& locations, bool is_closed = false, double start = 0)
+{
+  const Source_kind kind = is_closed ? Source_kind::CLOSED_POLYLINE : Source_kind::OPEN_POLYLINE;
+  return {kind, Surface_mesh::null_vertex(), locations, {}, start};
+}
+inline Source edge_source(const std::vector<Surface_mesh::Edge_index>& edges, double start = 0)
+{
+  return {Source_kind::EDGES, Surface_mesh::null_vertex(), {}, edges, start};
+}
+
+/// The set of sources, with the ids 0, 1, ... A closed polyline may repeat its first point, as one that is added.
+inline Geodesic::Source_set source_set(const std::vector<Source>& sources)
+{
+  Geodesic::Source_set result;
+  for (Source s : sources)
+  {
+    auto& l = s.locations;
+    if (s.kind == Source_kind::CLOSED_POLYLINE && l.size() > 3 && l.front() == l.back()) l.pop_back();
+    result.add(std::move(s));
+  }
+  return result;
+}
+
+/// The field of sources.
+inline Geodesic built(const Surface_mesh& mesh, const Geodesic::Source_set& sources, bool keep = true)
+{
+  Geodesic result(mesh);
+  result.add_sources(sources);
+  result.build(CGAL::parameters::keep_windows(keep));
+  return result;
+}
+inline Geodesic built(const Surface_mesh& mesh, const std::vector<Source>& sources, bool keep = true)
+{
+  return built(mesh, source_set(sources), keep);
+}
+
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// A signed distance, or not a number if there is none.

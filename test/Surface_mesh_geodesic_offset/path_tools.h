@@ -25,6 +25,7 @@ typedef Surface_mesh::Halfedge_index Halfedge_index;
 typedef Surface_mesh::Face_index Face_index;
 typedef Locations<Surface_mesh> Mesh_locations;
 typedef std::vector<Face_location> Path_locations;
+typedef Geodesic::Source_set Source_set;
 
 inline double distance(const Point_3& p, const Point_3& q) { return std::sqrt(CGAL::squared_distance(p, q)); }
 
@@ -139,8 +140,9 @@ public:
 
   /// Returns the path from `query` after all checks: its forms agree, it starts at the query point and ends at the nearest
   /// source point, it is connected, its length is the distance, and its first direction is opposite to the gradient.
-  template <class Query>
-  Path_locations operator()(const Geodesic& geodesic, const Query& query, bool has_windows = true)
+  /// `AnyGeodesic`: Geodesic, or with other index maps.
+  template <class AnyGeodesic, class Query>
+  Path_locations operator()(const AnyGeodesic& geodesic, const Query& query, bool has_windows = true)
   {
     Path_locations path;
     geodesic.shortest_path_to_sources(query, std::back_inserter(path));
@@ -161,13 +163,16 @@ public:
     CHECK_DETAIL(off <= 1e-14 * scale, values(off, 0));
     const double miss = distance(point(path.back()), point(nearest->location));
     CHECK_DETAIL(miss <= 1e-12 * scale, values(miss, 0));
+    const auto& sources = geodesic.sources().sources();
+    const auto found = sources.find(nearest->source);
+    const double start = found == sources.end() ? 0 : found->second.start_value; // if the source was not removed
     if (has_windows)
     {
-      const double rest = geodesic.distance_to_sources(path.back());
+      const double rest = geodesic.distance_to_sources(path.back()) - start;
       CHECK_DETAIL(rest <= 1e-14 * scale, values(rest, 0));
     }
     check_connected(path);
-    const double length = length_of(locations, path);
+    const double length = start + length_of(locations, path);
     const double error = std::abs(length - d) / (std::max)(d, mean_edge);
     totals.worst_length = (std::max)(totals.worst_length, error);
     CHECK_DETAIL(error <= 1e-12, values(length, d));
@@ -210,8 +215,8 @@ public:
   double mean_edge;
 
 private:
-  template <class Query>
-  void check_forms(const Geodesic& geodesic, const Query& query, const Path_locations& path)
+  template <class AnyGeodesic, class Query>
+  void check_forms(const AnyGeodesic& geodesic, const Query& query, const Path_locations& path)
   {
     std::vector<Point_3> points;
     geodesic.shortest_path_points_to_sources(query, std::back_inserter(points));

@@ -71,6 +71,15 @@ public:
     return geodesic.add_source_polyline(path(points, closed).locations, CGAL::parameters::is_closed(closed));
   }
 
+  /// The field of polylines.
+  Geodesic field(const std::vector<std::vector<Point_2>>& lines, bool closed = false) const
+  {
+    Geodesic result(data.mesh);
+    for (const auto& line : lines) add(result, line, closed);
+    result.build(CGAL::parameters::keep_windows(true));
+    return result;
+  }
+
   Data data;
   Flat_path_generator<test::Surface_mesh> generator;
 

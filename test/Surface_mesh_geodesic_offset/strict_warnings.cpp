@@ -28,6 +28,7 @@
 #endif
 #endif
 
+#include "test_against_shortest_path.cpp"
 #include "test_certified_bounds.cpp"
 #include "test_exact_kernel.cpp"
 #include "test_free_functions.cpp"
@@ -38,6 +39,5 @@
 #include "test_offset_files.cpp"
 #include "test_offset_validation.cpp"
 #include "test_plane_section.cpp"
-#include "test_queries_against_shortest_path.cpp"
 #include "test_shared_results.cpp"
 #include "test_traits_concept.cpp"

@@ -1,22 +1,20 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Vertex distances from points against CGAL::Surface_mesh_shortest_path, 1e-10 relative, on generated meshes and on the
-// manifold triangle meshes of the data directory.
+// Distances of all vertices and of random points (in faces, on edges, at vertices) from point sources, on generated meshes and on the
+// manifold triangle meshes of the data directory, against CGAL::Surface_mesh_shortest_path: 1e-10 relative. Path lengths equal
+// distances to 1e-12.
 //
-// If our distance is smaller, its path must prove it: valid on the mesh, from the vertex to a source, and as long as the
-// distance. (Surface_mesh_shortest_path 5.5 is wrong at some vertices of blade.off.)
+// If our distance is smaller, the path must prove it: every path is checked to be valid on the mesh, from the query point
+// to a source, and as long as the distance. (Surface_mesh_shortest_path 5.5 is wrong at some vertices of blade.off.)
 //
-//   test_against_shortest_path [MAXIMUM_FACES [NAME_PART]]     default 20000 faces, all names
+//   test_against_shortest_path [MAXIMUM_FACES [NAME_PART]]     default 3000 or 20000 faces, all names
 
-#include "data_meshes.h"
-#include "flat_paths.h"
-#include "generated_meshes.h"
-#include "geodesic_types.h"
-#include "test_check.h"
+#include "query_cases.h"
 
 #include <CGAL/Surface_mesh_shortest_path.h>
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,31 +25,49 @@ using namespace test;
 
 typedef CGAL::Surface_mesh_shortest_path_traits<Kernel, test::Surface_mesh> Shortest_path_traits;
 typedef CGAL::Surface_mesh_shortest_path<Shortest_path_traits> Shortest_path;
-typedef Geodesic::Face_location Face_location;
-typedef test::Surface_mesh::Vertex_index Vertex_index;
 
-// Surface_mesh_shortest_path returns -1 for unreachable vertices.
-double as_distance(double answer) { return answer < 0 ? infinity : answer; }
-
-bool is_isolated(Vertex_index v, const test::Surface_mesh& mesh)
+struct Totals
 {
-  return halfedge(v, mesh) == test::Surface_mesh::null_halfedge();
+  std::size_t proved = 0, other_paths = 0, vertex_paths = 0;
+};
+
+// From a source on an edge, Surface_mesh_shortest_path 5.5 finds distances that are not the lengths of its own paths (it
+// confuses the coordinates of the two ends). So its source is moved off the edge, by 1e-12.
+Face_location just_inside(Face_location location)
+{
+  for (double& w : location.second)
+    if (w == 0)
+    {
+      w = 1e-12;
+      *std::max_element(location.second.begin(), location.second.end()) -= w;
+    }
+  return location;
 }
 
-// Distances of all vertices, or nothing if the other solver fails on this mesh.
-template <class AddSource>
-std::optional<std::vector<double>> reference_distances(const test::Surface_mesh& mesh, const AddSource& add_source,
-                                                       std::string& failure)
+// Distances of the vertices, then of the points; nothing if the other solver fails on this mesh. Unreachable: -1.
+std::optional<std::vector<double>> reference_distances(const test::Surface_mesh& mesh, const Path_locations& sources,
+                                                       const Path_locations& points, std::string& failure)
 {
   try
   {
+    const Mesh_locations locations(mesh);
     Shortest_path shortest_path(mesh);
-    add_source(shortest_path);
+    for (const Face_location& s : sources)
+      if (is_at_vertex(s)) shortest_path.add_source_point(locations.support(s).front().first);
+      else
+      {
+        const Face_location inner = just_inside(s);
+        shortest_path.add_source_point(inner.first, inner.second);
+      }
     shortest_path.build_sequence_tree();
     std::vector<double> result;
     for (Vertex_index v : vertices(mesh))
-      result.push_back(is_isolated(v, mesh) ? infinity
-                                            : as_distance(shortest_path.shortest_distance_to_source_points(v).first));
+      result.push_back(is_isolated(v, mesh) ? -1 : shortest_path.shortest_distance_to_source_points(v).first);
+    for (const Face_location& l : points)
+      result.push_back(is_at_vertex(l) ? result[locations.support(l).front().first]
+                                       : shortest_path.shortest_distance_to_source_points(l.first, l.second).first);
+    for (double& d : result)
+      if (d < 0) d = infinity;
     return result;
   }
   catch (const std::exception& e)
@@ -61,109 +77,101 @@ std::optional<std::vector<double>> reference_distances(const test::Surface_mesh&
   }
 }
 
-// Whether the path traced from v is a path on the mesh that ends at distance 0 and is no longer than `length`.
-bool is_proved_by_path(const test::Surface_mesh& mesh, const Geodesic& geodesic, Vertex_index v, double length)
+// Compares the path from a vertex, without kept windows, with `path`, traced with kept windows. They may differ if there
+// are several shortest paths.
+void check_without_windows(Path_checker& check, const Geodesic& geodesic, Vertex_index v, const Path_locations& path,
+                           Totals& totals)
 {
-  const Locations<test::Surface_mesh> locations(mesh);
-  std::vector<Face_location> path;
-  geodesic.shortest_path_to_sources(locations.at_vertex(v), std::back_inserter(path));
-  if (path.size() < 2 || locations.point(path.front()) != mesh.point(v) ||
-      geodesic.distance_to_sources(path.back()) > 1e-12 * length)
-    return false;
-  double path_length = 0;
-  for (Face_location& location : path)
-    for (double& weight : location.second)
-    {
-      if (std::abs(weight) <= 1e-13) weight = 0;
-      if (!(weight >= 0)) return false;
-    }
-  for (std::size_t i = 0; i + 1 < path.size(); ++i)
-  {
-    if (locations.common_face(path[i], path[i + 1]) == test::Surface_mesh::null_face()) return false;
-    path_length += std::sqrt(CGAL::squared_distance(locations.point(path[i]), locations.point(path[i + 1])));
-  }
-  return path_length <= length * (1 + 1e-12);
+  const Path_locations other = check(geodesic, v, false);
+  ++totals.vertex_paths;
+  CHECK(other.empty() == path.empty());
+  const double l = length_of(check.locations, path), m = length_of(check.locations, other);
+  CHECK_DETAIL(std::abs(l - m) <= 1e-12 * (std::max)(l, check.mean_edge), values(m, l));
+  bool same = other.size() == path.size();
+  for (std::size_t i = 0; same && i < path.size(); ++i)
+    same = distance(check.point(path[i]), check.point(other[i])) <= 1e-9 * check.scale;
+  totals.other_paths += same ? 0 : 1;
 }
 
-template <class AddSource, class AddReferenceSource>
-void compare(const std::string& name, const test::Surface_mesh& mesh, const AddSource& add_source,
-             const AddReferenceSource& add_reference_source)
+void compare(const test::Surface_mesh& mesh, const Path_locations& sources, const Path_locations& points, Path_checker& check,
+             Worst_error& worst, Totals& totals)
 {
-  Report::instance().set_context(name);
   std::string failure;
-  const auto expected = reference_distances(mesh, add_reference_source, failure);
+  const auto expected = reference_distances(mesh, sources, points, failure);
   if (!expected)
   {
     std::replace(failure.begin(), failure.end(), '\n', ' ');
-    std::cout << name << ": not compared, Surface_mesh_shortest_path fails: " << failure << std::endl;
-    return;
+    std::cout << Report::instance().context() << ": not compared, Surface_mesh_shortest_path fails: " << failure << std::endl;
+    if (points.empty()) return;
   }
-  try
-  {
-    Geodesic geodesic(mesh);
-    add_source(geodesic);
-    geodesic.build();
-    Geodesic with_windows(mesh);
-    add_source(with_windows);
-    with_windows.build(CGAL::parameters::keep_windows(true));
-    Worst_error worst(1e-10, 0), worst_without(1e-13, 0);
-    std::size_t infinite = 0, proved = 0, i = 0;
-    for (Vertex_index v : vertices(mesh))
-    {
-      const double actual = geodesic.distance_to_sources(v), reference = (*expected)[i++];
-      infinite += std::isinf(actual) ? 1 : 0;
-      CHECK_CLOSE(worst_without, actual, with_windows.distance_to_sources(v));
-      if (actual < reference * (1 - 1e-10))
-      {
-        if (CHECK_DETAIL(is_proved_by_path(mesh, with_windows, v, actual), values(actual, reference))) ++proved;
-        continue;
-      }
-      CHECK_CLOSE(worst, actual, reference);
-    }
-    std::cout << name << ": " << worst.count() << " vertices, " << num_faces(mesh) << " faces, " << infinite
-              << " unreachable, worst relative error " << worst.error();
-    if (proved > 0) std::cout << "; Surface_mesh_shortest_path is too long at " << proved << " vertices, proved by paths";
-    std::cout << std::endl;
-  }
-  catch (const std::exception& e)
-  {
-    CHECK_DETAIL(!"an exception was thrown", e.what());
-  }
-}
-
-// From one vertex, and from two.
-void compare_vertex_sources(const std::string& name, const test::Surface_mesh& mesh)
-{
-  std::vector<Vertex_index> used;
+  std::vector<Source> set;
+  for (const Face_location& s : sources) set.push_back(point_source(s));
+  const Geodesic geodesic = built(mesh, set), without_windows = built(mesh, set, false);
+  const auto compare_distance = [&](double d, std::size_t i) {
+    const double reference = expected ? (*expected)[i] : d;
+    const bool is_proved = d < reference * (1 - 1e-10) - 1e-14 * check.scale;
+    if (is_proved) ++totals.proved;
+    else CHECK_CLOSE(worst, d, reference);
+    return is_proved;
+  };
+  Worst_error worst_without(1e-13, check.scale);
+  std::size_t number = 0;
   for (Vertex_index v : vertices(mesh))
-    if (!is_isolated(v, mesh)) used.push_back(v);
-  const std::vector<Vertex_index> one = {used[used.size() / 3]}, two = {used[0], used[2 * used.size() / 3]};
-  for (const std::vector<Vertex_index>& sources : {one, two})
   {
-    const auto add = [&](auto& solver) {
-      for (Vertex_index v : sources) solver.add_source_point(v);
-    };
-    compare(name + ", " + std::to_string(sources.size()) + " vertex source(s)", mesh, add, add);
+    const double d = without_windows.distance_to_sources(v);
+    CHECK_CLOSE(worst_without, d, geodesic.distance_to_sources(v));
+    if (compare_distance(d, number++)) check(geodesic, v);
+  }
+  std::size_t refused = 0;
+  for (const Face_location& l : points)
+  {
+    const Path_locations path = check(geodesic, l);
+    const double d = geodesic.distance_to_sources(l);
+    compare_distance(d, number++);
+    if (is_at_vertex(l))
+    {
+      const Vertex_index v = check.locations.support(l).front().first;
+      CHECK(geodesic.distance_to_sources(v) == d);
+      CHECK(without_windows.distance_to_sources(v) == d);
+      CHECK(without_windows.distance_to_sources(l) == d);
+      check(geodesic, v);
+      check_without_windows(check, without_windows, v, path, totals);
+    }
+    else if (refused++ < 4)
+    {
+      CHECK_THROWS(without_windows.distance_to_sources(l), std::logic_error);
+      CHECK_THROWS(without_windows.nearest_source(l), std::logic_error);
+      CHECK_THROWS(without_windows.gradient(l), std::logic_error);
+      Path_locations none;
+      CHECK_THROWS(without_windows.shortest_path_to_sources(l, std::back_inserter(none)), std::logic_error);
+      CHECK(none.empty());
+    }
   }
 }
 
-void compare_face_source(const std::string& name, const test::Surface_mesh& mesh, unsigned seed)
+// From a point in a face, on an edge, a vertex, and five points; a quarter of the queries for each.
+void run(Query_case& c, std::size_t queries)
 {
-  Random random(seed);
-  const std::size_t number = uniform_index(random, num_faces(mesh));
-  const Face_location location(*std::next(faces(mesh).begin(), static_cast<std::ptrdiff_t>(number)),
-                               random_barycentric(random));
-  compare(
-    name + ", a point in a face, seed " + std::to_string(seed), mesh,
-    [&](Geodesic& geodesic) { geodesic.add_source_point(location); },
-    [&](Shortest_path& shortest_path) { shortest_path.add_source_point(location.first, location.second); });
-}
-
-void generated_mesh(const std::string& name, const Soup& soup)
-{
-  const Generated_mesh<test::Surface_mesh> data(rotated(soup, 7));
-  compare_vertex_sources(name, data.mesh);
-  for (unsigned seed : {1u, 2u}) compare_face_source(name, data.mesh, seed);
+  Random random(11);
+  Worst_error worst(1e-10, c.checker.scale + 300 * c.checker.mean_edge); // see just_inside
+  Totals totals;
+  const char* kinds[] = {"a face point", "an edge point", "a vertex", "five points"};
+  for (std::size_t kind = queries > 0 ? 0 : 2; kind < 4; ++kind)
+  {
+    c.set_context(std::string("from ") + kinds[kind]);
+    Path_locations sources;
+    for (std::size_t i = 0; i < (kind == 3 ? 5 : 1); ++i)
+      sources.push_back(random_location(c.checker.locations, c.mesh, random, kind == 3 ? i % 3 : kind));
+    guarded([&] { compare(c.mesh, sources, c.random_points(random, queries / 4), c.checker, worst, totals); });
+  }
+  const Path_totals& paths = c.checker.totals;
+  std::cout << c.name << ": " << num_faces(c.mesh) << " faces, " << worst.count() << " distances; worst relative difference "
+            << worst.error() << "; " << paths.paths << " paths of " << paths.points << " points, " << paths.unreachable
+            << " unreachable, worst difference of length and distance " << paths.worst_length << "; " << totals.other_paths
+            << " of " << totals.vertex_paths << " paths are others without kept windows";
+  if (totals.proved > 0)
+    std::cout << "; Surface_mesh_shortest_path is too long at " << totals.proved << " points, proved by paths";
+  std::cout << std::endl;
 }
 
 } // namespace test_against_shortest_path
@@ -173,34 +181,19 @@ GEODESIC_OFFSET_TEST(test_against_shortest_path)
   const std::size_t maximum_faces = argc > 1 ? std::stoul(argv[1]) : number_of_cases(3000ul, 20000ul);
   const std::string name_part = argc > 2 ? argv[2] : "";
   std::cout.precision(3);
-
-  if (mesh_kinds().generated && name_part.empty())
-  {
-    generated_mesh("icosphere", icosphere(3));
-    generated_mesh("torus", torus(24, 16));
-    generated_mesh("genus 5", marching_genus_5(12));
-    generated_mesh("box", box_sides(1, 0.7, 0.4).triangulated(60, 5, 3));
-    generated_mesh("saddle fan", saddle_fan());
-    generated_mesh("saddle", Cone(8, 3 * CGAL_PI, 1).triangulated(40, 4, 3));
-    generated_mesh("L", l_shape(120, 6, 3));
-  }
-
-  std::size_t used = 0, skipped = 0;
-  for (const std::filesystem::path& file : data_files())
-  {
-    const std::string name = file.filename().string();
-    if (name.find(name_part) == std::string::npos) continue;
-    test::Surface_mesh mesh;
-    const std::string reason = read_data_mesh(file, maximum_faces, mesh);
-    if (!reason.empty())
-    {
-      std::cout << name << ": skipped, " << reason << std::endl;
-      ++skipped;
-      continue;
-    }
-    compare_vertex_sources(name, mesh);
-    ++used;
-  }
-  std::cout << used << " meshes of the data directory used, " << skipped << " skipped" << std::endl;
+  Names with_queries = {"elephant.off", "anchor.off",           "mask_cone.off", "cow.off",
+                        "homer.off",    "mesh_with_border.off", "holes.off"};
+  if (number_of_cases(0, 1) == 1) with_queries.insert(with_queries.end(), {"fandisk.off", "bull.off", "cheese.off"});
+  if (!name_part.empty()) with_queries.clear();
+  Names others;
+  for (const std::string& name : data_mesh_names())
+    if (name.find(name_part) != std::string::npos &&
+        std::find(with_queries.begin(), with_queries.end(), name) == with_queries.end())
+      others.push_back(name);
+  for_each_mesh(name_part.empty() ? all_mesh_names() : Names(), {}, [](Query_case& c) { run(c, 250); });
+  for_each_mesh(
+    {}, with_queries, [](Query_case& c) { run(c, 1000); }, 100000);
+  for_each_mesh(
+    {}, others, [](Query_case& c) { run(c, 0); }, maximum_faces);
   return Report::instance().finish("test_against_shortest_path");
 }

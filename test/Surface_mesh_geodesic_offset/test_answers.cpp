@@ -87,11 +87,9 @@ void joined_polyline_on_grid()
   const Face_location query = at(23, 0, 0.5, 0.5);
   Answer_checker checker(mesh, true);
   Geodesic geodesic(mesh);
-  std::map<std::size_t, Known_source> sources;
-  const Known_source known{Known_source::POLYLINE, polyline, false, {}};
-  sources[known.add_to(geodesic)] = known;
+  geodesic.add_source_polyline(polyline);
   geodesic.build(CGAL::parameters::keep_windows(true));
-  CHECK_DETAIL(checker.check(geodesic, sources, query) == 0, checker.detail());
+  CHECK_DETAIL(checker.check(geodesic, query) == 0, checker.detail());
   const auto nearest = geodesic.nearest_source(query);
   CHECK(nearest && nearest->part == 0 && nearest->is_segment);
   Path_locations path;
@@ -159,9 +157,7 @@ void polylines_of_one_point()
       for (std::size_t k = 0; k < 3; ++k) l.second[k] = corners[k] == a ? 1 - x - y : corners[k] == b ? x : y;
       polyline.push_back(l);
     }
-    Geodesic geodesic(mesh);
-    geodesic.add_source_polyline(polyline, CGAL::parameters::is_closed(closed));
-    geodesic.build(CGAL::parameters::keep_windows(true));
+    const Geodesic geodesic = built(mesh, {polyline_source(polyline, closed)});
     const auto nearest = geodesic.nearest_source(c);
     const double expected = std::sqrt(part * part + (1 - (on_edge ? 0 : part)) * (1 - (on_edge ? 0 : part)));
     CHECK(nearest && std::abs(nearest->distance - expected) <= 1e-14);

@@ -5,9 +5,7 @@
 // which is large enough for internal renumbering.
 
 #include "generated_meshes.h"
-#include "geodesic_types.h"
-#include "locations.h"
-#include "test_check.h"
+#include "path_tools.h"
 
 #include <CGAL/Surface_mesh_geodesic_offset/Surface_mesh_geodesic_enclosure.h>
 
@@ -73,12 +71,7 @@ struct Ordered_mesh
   /// Location in the triangle by weights of its corners.
   Face_location location(std::size_t triangle, const std::array<double, 3>& weights, const Soup& soup) const
   {
-    Face_location result(faces[triangle], {{0, 0, 0}});
-    const auto corners = Locations<Mesh>(mesh).corners(faces[triangle]);
-    for (std::size_t k = 0; k < 3; ++k)
-      for (std::size_t j = 0; j < 3; ++j)
-        if (corners[k] == vertices[soup.triangles[triangle][j]]) result.second[k] = weights[j];
-    return result;
+    return Locations<Mesh>(mesh).in_triangle(*this, soup, triangle, weights);
   }
 
   Mesh mesh;
@@ -140,50 +133,27 @@ void add_sources(Geodesic& geodesic, const Ordered_mesh& data, const Soup& soup)
   geodesic.add_source_edges(std::vector<Mesh::Edge_index>{data.mesh.edge(h)});
 }
 
-struct Passed
-{
-  std::size_t edges = 0, vertices = 0, faces = 0;
-  double parts = 0; // from the end of an edge that is first in the soup
-  const Ordered_mesh& data;
-  std::vector<std::size_t> soup_index;
-
-  explicit Passed(const Ordered_mesh& data) : data(data), soup_index(data.vertices.size())
-  {
-    for (std::size_t i = 0; i < data.vertices.size(); ++i) soup_index[data.vertices[i].idx()] = i;
-  }
-  void operator()(Halfedge_index h, double t)
-  {
-    ++edges;
-    parts += soup_index[data.mesh.source(h).idx()] < soup_index[data.mesh.target(h).idx()] ? t : 1 - t;
-  }
-  void operator()(Vertex_index) { ++vertices; }
-  void operator()(Face_index, const std::array<double, 3>&) { ++faces; }
-};
-
-double length(const std::vector<Point_3>& way)
-{
-  double sum = 0;
-  for (std::size_t i = 0; i + 1 < way.size(); ++i) sum += std::sqrt(CGAL::squared_distance(way[i], way[i + 1]));
-  return sum;
-}
-
 template <class G, class H>
 void same_results(const Ordered_mesh& a, const G& g, const Ordered_mesh& b, const H& h, const Queries& queries)
 {
   const Soup& soup = queries.soup;
   const auto near = [](double x, double y) { return x == y || std::abs(x - y) <= tolerance; };
   const auto near_points = [](const Point_3& p, const Point_3& q) { return CGAL::squared_distance(p, q) <= 1e-14; };
-  for (std::size_t i = 0; i < soup.points.size(); ++i)
-    CHECK(near(g.distance_to_sources(a.vertices[i]), h.distance_to_sources(b.vertices[i])));
   std::vector<std::size_t> g_label(soup.points.size()), h_label(soup.points.size());
   g.source_labels(boost::make_iterator_property_map(g_label.begin(), get(boost::vertex_index, a.mesh)));
   h.source_labels(boost::make_iterator_property_map(h_label.begin(), get(boost::vertex_index, b.mesh)));
-  std::size_t different = 0;
   for (std::size_t i = 0; i < soup.points.size(); ++i)
-    different += g_label[a.vertices[i].idx()] != h_label[b.vertices[i].idx()];
-  CHECK(different == 0);
+  {
+    CHECK(near(g.distance_to_sources(a.vertices[i]), h.distance_to_sources(b.vertices[i])));
+    CHECK(g_label[a.vertices[i].idx()] == h_label[b.vertices[i].idx()]);
+  }
 
-  Passed on_a(a), on_b(b);
+  Path_checker on_a(a.mesh), on_b(b.mesh);
+  const auto points = [](const Path_checker& checker, const Path_locations& path) {
+    std::vector<Point_3> result;
+    for (const Face_location& l : path) result.push_back(checker.point(l));
+    return result;
+  };
   for (int pass = 0; pass < 3; ++pass) // paths have caches
     for (const auto& q : queries.points)
     {
@@ -192,22 +162,10 @@ void same_results(const Ordered_mesh& a, const G& g, const Ordered_mesh& b, cons
       CHECK(std::sqrt((g.gradient(p).value_or(CGAL::NULL_VECTOR) - h.gradient(r).value_or(CGAL::NULL_VECTOR)).squared_length()) <
             1e-6);
       const auto m = g.nearest_source(p), n = h.nearest_source(r);
-      CHECK(m && n && m->source == n->source && b.vertices.size() == a.vertices.size());
-      std::vector<Point_3> way, other;
-      g.shortest_path_points_to_sources(p, std::back_inserter(way));
-      h.shortest_path_points_to_sources(r, std::back_inserter(other));
-      CHECK(way.size() == other.size() && near(length(way), length(other)) && near(length(way), g.distance_to_sources(p)));
-      CHECK(std::equal(way.begin(), way.end(), other.begin(), other.end(), near_points));
-      std::vector<Face_location> places;
-      h.shortest_path_to_sources(r, std::back_inserter(places));
-      CHECK(places.size() == other.size() && places.front().first == r.first);
-      const Locations<Mesh> locations(b.mesh);
-      for (std::size_t i = 0; i < places.size(); ++i) CHECK(near_points(locations.point(places[i]), other[i]));
-      g.shortest_path_sequence_to_sources(p, on_a);
-      h.shortest_path_sequence_to_sources(r, on_b);
+      CHECK(m && n && m->source == n->source);
+      const std::vector<Point_3> path = points(on_a, on_a(g, p)), other = points(on_b, on_b(h, r));
+      CHECK(std::equal(path.begin(), path.end(), other.begin(), other.end(), near_points));
     }
-  CHECK(on_a.edges == on_b.edges && on_a.vertices == on_b.vertices && on_a.faces == on_b.faces);
-  CHECK(std::abs(on_a.parts - on_b.parts) < 1e-6);
   CHECK(near(g.largest_distance().value(), h.largest_distance().value()));
 
   const std::vector<double> levels = {0.05, 0.2, 0.4};
@@ -263,6 +221,20 @@ void shuffled_mesh()
   CHECK(std::abs(g.distance_to_sources(g.locate(p)) - h.distance_to_sources(h.locate(p))) <= tolerance);
 }
 
+template <class Function>
+std::string message(const Function& f)
+{
+  try
+  {
+    f();
+  }
+  catch (const std::invalid_argument& e)
+  {
+    return e.what();
+  }
+  return "";
+}
+
 // An ordered mesh with shuffled user indices.
 void shuffled_indices()
 {
@@ -280,29 +252,8 @@ void shuffled_indices()
   g.build(CGAL::parameters::keep_windows(true));
   h.build(CGAL::parameters::keep_windows(true));
   same_results(good, g, good, h, Queries(soup()));
-  try
-  {
-    h.distance_to_sources(Face_location(good.faces[123], {{2, -1, 0}}));
-    CHECK(!"a location outside");
-  }
-  catch (const std::invalid_argument& e)
-  {
-    CHECK_DETAIL(std::string(e.what()).find("face " + std::to_string(faces[123]) + " ") != std::string::npos, e.what());
-  }
-}
-
-template <class Function>
-std::string message(const Function& f)
-{
-  try
-  {
-    f();
-  }
-  catch (const std::invalid_argument& e)
-  {
-    return e.what();
-  }
-  return "";
+  const std::string text = message([&] { h.distance_to_sources(Face_location(good.faces[123], {{2, -1, 0}})); });
+  CHECK_DETAIL(text.find("face " + std::to_string(faces[123]) + " ") != std::string::npos, text);
 }
 
 void messages()

@@ -6,9 +6,9 @@
 // offsets, limits, targets, updates and tolerances.
 
 #include "closed_forms.h"
-#include "data_meshes.h"
+#include "known_cases.h"
 #include "planar_polyline.h"
-#include "test_check.h"
+#include "query_cases.h"
 
 #include <string>
 #include <vector>
@@ -223,81 +223,31 @@ void check_samples(const Geodesic& geodesic, const test::Surface_mesh& mesh, con
     }
 }
 
-/// Sources of all kinds: points, paths over vertices, edges.
-void sources_of_all_kinds(const std::string& name, const test::Surface_mesh& mesh, std::size_t samples, unsigned seed)
+/// Sources of all kinds.
+void sources_of_all_kinds(const Query_case& c, std::size_t samples, unsigned seed)
 {
   Random random(seed);
-  const Locations<test::Surface_mesh> on_mesh(mesh);
-  const std::vector<test::Surface_mesh::Face_index> all(faces(mesh).begin(), faces(mesh).end());
-  const auto random_face = [&] { return all[uniform_index(random, all.size())]; };
-  for (int kind = 0; kind < 6; ++kind)
+  for (std::size_t i = 0; i < 6; ++i)
   {
-    Report::instance().set_context(name + ", kind " + std::to_string(kind));
-    Geodesic geodesic(mesh);
-    if (kind == 0) geodesic.add_source_point(on_mesh.corners(random_face())[0]);
-    else if (kind == 1) geodesic.add_source_point(Face_location(random_face(), random_barycentric(random)));
-    else if (kind == 2)
-      for (int i = 0; i < 6; ++i) geodesic.add_source_point(Face_location(random_face(), random_barycentric(random)));
-    else if (kind == 3) // inside a face
-    {
-      const auto f = random_face();
-      std::vector<Face_location> path;
-      for (int i = 0; i < 3; ++i) path.push_back(Face_location(f, random_barycentric(random)));
-      geodesic.add_source_polyline(path, CGAL::parameters::is_closed(true));
-    }
-    else if (kind == 4) // over vertices
-    {
-      std::vector<Face_location> path;
-      auto h = halfedge(random_face(), mesh);
-      for (int i = 0; i < 8 && !is_border(h, mesh); ++i)
-      {
-        path.push_back(on_mesh.at_vertex(source(h, mesh)));
-        h = opposite(next(h, mesh), mesh);
-      }
-      geodesic.add_source_polyline(path);
-    }
-    else
-    {
-      std::vector<test::Surface_mesh::Edge_index> border;
-      for (const auto e : edges(mesh))
-        if (mesh.is_border(e)) border.push_back(e);
-      if (border.empty()) border.push_back(mesh.edge(halfedge(random_face(), mesh)));
-      geodesic.add_source_edges(border);
-    }
-    check_samples(geodesic, mesh, farthest_point(geodesic, mesh), samples, random);
+    c.set_context("seed " + std::to_string(seed) + ", sources " + std::to_string(i));
+    Geodesic geodesic(c.mesh);
+    if (i < 5) geodesic.add_sources(c.random_sources(random, i < 3 ? 1 : i));
+    else if (geodesic.add_source_boundary().empty()) continue;
+    check_samples(geodesic, c.mesh, farthest_point(geodesic, c.mesh), samples, random);
   }
 }
 
 void generated_meshes()
 {
-  const std::pair<const char*, Soup> soups[] = {
-    {"jittered grid", jittered_grid(12, 9, 4)},
-    {"regular grid", planar_grid(10, 10, Diagonals::alternating, 0.5)},
-    {"needles", random_rectangle(1, 1e-3, 30, 4, 6)},
-    {"L", l_shape(30, 5, 2)},
-    {"cube", cube_grid(5)},
-    {"icosphere", icosphere(3)},
-    {"torus", torus(24, 12)},
-    {"saddle", saddle_fan()},
-    {"disc", needle_fan(64)},
-    {"marching sphere", marching_sphere(8)},
-    {"genus 5", marching_genus_5(10)}};
-  for (const auto& soup : soups)
-    for (unsigned seed = 1; seed <= 3; ++seed)
-      sources_of_all_kinds(soup.first, Generated_mesh<test::Surface_mesh>(rotated(soup.second, seed)).mesh, 1500, seed);
+  for_each_mesh(all_mesh_names(), {}, [](const Query_case& c) {
+    for (unsigned seed = 1; seed <= 3; ++seed) sources_of_all_kinds(c, 1500, seed);
+  });
 }
 
 void data_meshes()
 {
-  std::size_t used = 0;
-  for (const std::filesystem::path& file : data_files())
-  {
-    test::Surface_mesh mesh;
-    if (!read_data_mesh(file, 6000, mesh).empty()) continue;
-    sources_of_all_kinds(file.filename().string(), mesh, 200, 1);
-    ++used;
-  }
-  std::cout << used << " meshes of the data directory used" << std::endl;
+  for_each_mesh(
+    {}, data_mesh_names(), [](const Query_case& c) { sources_of_all_kinds(c, 200, 1); }, 6000);
 }
 
 /// Plates whose border is the source: all vertices have distance zero.
@@ -506,46 +456,14 @@ void unreached_parts()
 /// taken as beside these rays, and its distance as that around an end of their window: up to 1e-8 too long.
 void grazed_edges()
 {
-  struct Source
-  {
-    std::size_t face;
-    std::array<double, 3> weights;
-  };
-  struct Case
-  {
-    std::vector<Point_3> points;
-    std::vector<std::array<std::size_t, 3>> triangles;
-    std::vector<Source> sources;
-  };
-  const std::vector<Case> cases = {
-    {{{0, 0, 0}, {0.7278, 0.9284, 0}, {1, 0, 0}, {0.9457, 0.4027, 1.68e-06}},
-     {{0, 1, 2}, {2, 1, 3}, {1, 0, 3}},
-     {{2, {1, 0, 0}}, {2, {6.8614261222847621e-08, 3.6426633054218552e-07, 0.99999956711940818}}}},
-    {{{-0.1828, 7.819e-06, 0},
-      {0.9997, 4.051e-05, 0},
-      {0.08842, 3.787e-05, 0},
-      {0.8945, 1.083e-05, 0},
-      {2.177, 4.399e-05, 0},
-      {1.046, 6.891e-05, 0},
-      {1.062, 5.399e-05, 0},
-      {2.15, 7.962e-05, 0}},
-     {{0, 1, 2}, {3, 4, 1}, {2, 1, 5}, {1, 4, 6}, {4, 7, 5}},
-     {{4, {0.20374688489865028, 0.45931623602929816, 0.3369368790720515}},
-      {0, {0.5, 0.5, 0}},
-      {3, {1.8736636689035869e-07, 0.99999981263364268, 4.79962470455803e-16}}}}};
   Random random(1);
-  for (std::size_t i = 0; i < cases.size(); ++i)
+  for (const Known_case& c : known_cases("grazed_edges.txt"))
   {
-    Report::instance().set_context("case " + std::to_string(i));
-    test::Surface_mesh mesh;
-    for (const Point_3& p : cases[i].points) mesh.add_vertex(p);
-    typedef test::Surface_mesh::Vertex_index Vertex;
-    std::vector<test::Surface_mesh::Face_index> faces;
-    for (const auto& t : cases[i].triangles) faces.push_back(mesh.add_face(Vertex(t[0]), Vertex(t[1]), Vertex(t[2])));
-    Geodesic geodesic(mesh);
-    for (const Source& source : cases[i].sources) geodesic.add_source_point(Face_location(faces[source.face], source.weights));
-    const Farthest result = farthest_point(geodesic, mesh);
-    check_samples(geodesic, mesh, result, 1000, random);
+    Report::instance().set_context(c.name);
+    Geodesic geodesic(c.mesh);
+    geodesic.add_sources(source_set(c.sources));
+    const Farthest result = farthest_point(geodesic, c.mesh);
+    check_samples(geodesic, c.mesh, result, 1000, random);
   }
 }
 

@@ -7,10 +7,8 @@
 #include "closed_forms.h"
 #include "flat_paths.h"
 #include "generated_meshes.h"
-#include "geodesic_types.h"
+#include "known_cases.h"
 #include "path_tools.h"
-#include "plane_section.h"
-#include "test_check.h"
 
 #include <CGAL/Surface_mesh_geodesic_offset/Surface_mesh_geodesic_enclosure.h>
 
@@ -41,17 +39,13 @@ void source_at_vertex_up_to_rounding()
     for (std::size_t number = 0; number < data.vertices.size(); number += 1 + data.vertices.size() / 12)
     {
       const auto v = data.vertices[number];
-      Geodesic exact(data.mesh);
-      exact.add_source_point(v);
-      exact.build();
+      const Geodesic exact = built(data.mesh, {point_source(v)}, false);
       for (double off : {1e-17, 1e-16, -1e-17, -1e-16, 3e-16})
         for (std::size_t turn = 0; turn < 4; ++turn)
         {
           Face_location location = locations.at_vertex(v, turn);
           for (std::size_t k = 0; k < 3; ++k) location.second[k] = location.second[k] == 1 ? 1 - 2 * off : off;
-          Geodesic geodesic(data.mesh);
-          geodesic.add_source_point(location);
-          geodesic.build();
+          const Geodesic geodesic = built(data.mesh, {point_source(location)}, false);
           Worst_error worst(1e-12, bounding_box_diagonal(data.mesh));
           for (auto w : data.vertices) CHECK_CLOSE(worst, geodesic.distance_to_sources(w), exact.distance_to_sources(w));
         }
@@ -123,10 +117,7 @@ void paths_near_sources()
     for (std::size_t round = 0; round < 30; ++round)
     {
       const Face_location source = random_location(check.locations, data.mesh, random, round % 3);
-      Geodesic geodesic(data.mesh), nothing(data.mesh);
-      geodesic.add_source_point(source);
-      geodesic.build(CGAL::parameters::keep_windows(true));
-      nothing.build(CGAL::parameters::keep_windows(true));
+      const Geodesic geodesic = built(data.mesh, {point_source(source)}), nothing = built(data.mesh, std::vector<Source>());
       for (auto f : check.locations.incident_faces(source))
       {
         Face_location same(f, {{0, 0, 0}});
@@ -216,30 +207,6 @@ void adjacent_and_border_sources()
   }
 }
 
-// Incorrect pruning (3993): many sources on meshes with saddles; no edge may have a jump, and vertex distances must not
-// change if only the nearest source remains.
-void many_sources_on_saddles()
-{
-  const Data data(marching_genus_5(10));
-  Random random(4);
-  std::vector<test::Surface_mesh::Vertex_index> sources;
-  for (std::size_t i = 0; i < 12; ++i) sources.push_back(data.vertices[uniform_index(random, data.vertices.size())]);
-  std::vector<double> expected(data.vertices.size(), infinity);
-  Geodesic all(data.mesh);
-  for (auto s : sources)
-  {
-    all.add_source_point(s);
-    Geodesic one(data.mesh);
-    one.add_source_point(s);
-    one.build();
-    for (std::size_t i = 0; i < expected.size(); ++i)
-      expected[i] = (std::min)(expected[i], one.distance_to_sources(data.vertices[i]));
-  }
-  all.build();
-  Worst_error worst(1e-12, bounding_box_diagonal(data.mesh));
-  for (std::size_t i = 0; i < expected.size(); ++i) CHECK_CLOSE(worst, all.distance_to_sources(data.vertices[i]), expected[i]);
-}
-
 // Isolated vertices do not cause crashes (5280), also as sources.
 void isolated_vertices()
 {
@@ -249,9 +216,7 @@ void isolated_vertices()
     for (std::size_t& v : t) ++v;
   soup.points.push_back(Point_3(4, 4, 4));
   const Data data(soup);
-  Geodesic geodesic(data.mesh);
-  geodesic.add_source_point(data.vertices[1]);
-  geodesic.build();
+  Geodesic geodesic = built(data.mesh, {point_source(data.vertices[1])}, false);
   CHECK(geodesic.distance_to_sources(data.vertices.front()) == infinity);
   CHECK(geodesic.distance_to_sources(data.vertices.back()) == infinity);
   CHECK(std::isfinite(geodesic.distance_to_sources(data.vertices[2])));
@@ -321,9 +286,7 @@ void source_and_query_on_one_edge()
   {
     if (is_border(h, data.mesh) || uniform(random) > 0.4) continue;
     const Face_location source = locations.on_edge(h, 0.3);
-    Geodesic geodesic(data.mesh);
-    geodesic.add_source_point(source);
-    geodesic.build(CGAL::parameters::keep_windows(true));
+    Geodesic geodesic = built(data.mesh, {point_source(source)});
     Worst_error worst(1e-12, 2);
     for (double t : {0., 0.1, 0.3, 0.5, 1.})
     {
@@ -345,9 +308,7 @@ void source_and_query_on_one_edge()
   for (auto h : halfedges(data.mesh)) // border edges, source far away
     if (is_border(opposite(h, data.mesh), data.mesh))
     {
-      Geodesic geodesic(data.mesh);
-      geodesic.add_source_point(data.vertices[20]);
-      geodesic.build(CGAL::parameters::keep_windows(true));
+      const Geodesic geodesic = built(data.mesh, {point_source(data.vertices[20])});
       const Face_location query = locations.on_edge(h, 0.37);
       Worst_error worst(1e-12, 2);
       CHECK_CLOSE(worst, geodesic.distance_to_sources(query),
@@ -440,19 +401,6 @@ void short_segments()
   }
 }
 
-// Many sources: distances near the source set do not collapse (PR 9565); every vertex near a section.
-void many_sources()
-{
-  const std::size_t n = 30;
-  const Data data(planar_grid(n, n, Diagonals::alternating));
-  Geodesic geodesic(data.mesh);
-  for (std::size_t j = 0; j <= n; ++j) geodesic.add_source_point(data.vertices[j * (n + 1)]);
-  geodesic.build();
-  Worst_error worst(1e-12, 0);
-  for (std::size_t i = 0; i < data.vertices.size(); ++i)
-    CHECK_CLOSE(worst, geodesic.distance_to_sources(data.vertices[i]), static_cast<double>(i % (n + 1)));
-}
-
 // Marching-cubes meshes with faces of size 1e-7 next to faces of size 0.1 give no infinite distance (pygeodesic 14), and
 // needles no NaN (geometry-central 36), from any vertex: distances are at least the straight line, Lipschitz along edges,
 // and symmetric.
@@ -477,9 +425,7 @@ void tiny_and_needle_faces()
     std::vector<std::vector<double>> distances; // from i to j
     for (std::size_t i = 0; i < n; ++i)
     {
-      Geodesic geodesic(data.mesh);
-      geodesic.add_source_point(data.vertices[i]);
-      geodesic.build();
+      const Geodesic geodesic = built(data.mesh, {point_source(data.vertices[i])}, false);
       distances.emplace_back();
       for (auto v : data.vertices)
       {
@@ -519,16 +465,13 @@ void paths_over_tiny_and_needle_faces()
     const std::size_t step = 1 + data.vertices.size() / 120;
     for (std::size_t i = 0; i < data.vertices.size(); i += step)
     {
-      Geodesic geodesic(data.mesh);
-      geodesic.add_source_point(data.vertices[i]);
-      geodesic.build();
+      Geodesic geodesic = built(data.mesh, {point_source(data.vertices[i])}, false);
       for (auto v : data.vertices) CHECK(!check(geodesic, v, false).empty());
     }
     for (std::size_t round = 0; round < 12; ++round)
     {
-      Geodesic geodesic(data.mesh);
-      geodesic.add_source_point(random_location(check.locations, data.mesh, random, round % 3));
-      geodesic.build(CGAL::parameters::keep_windows(true));
+      const Geodesic geodesic =
+        built(data.mesh, {point_source(random_location(check.locations, data.mesh, random, round % 3))});
       for (auto v : data.vertices) CHECK(!check(geodesic, v).empty());
       for (std::size_t i = 0; i < 60; ++i)
         CHECK(!check(geodesic, random_location(check.locations, data.mesh, random, i % 3)).empty());
@@ -607,23 +550,6 @@ void paths_over_graded_meshes()
   }
 }
 
-// Polylines across tiny and needle faces: nothing infinite or NaN, zero on the polyline itself.
-void polyline_over_tiny_faces()
-{
-  const Data data(marching_sphere(12));
-  for (unsigned seed = 1; seed <= 5; ++seed)
-  {
-    const auto sections = random_plane_section(data.mesh, seed);
-    Geodesic geodesic(data.mesh);
-    for (const auto& section : sections)
-      geodesic.add_source_polyline(section.locations, CGAL::parameters::is_closed(section.closed));
-    geodesic.build(CGAL::parameters::keep_windows(true));
-    for (auto v : data.vertices) CHECK(std::isfinite(geodesic.distance_to_sources(v)) && geodesic.distance_to_sources(v) >= 0);
-    for (const auto& section : sections)
-      for (const Face_location& l : section.locations) CHECK(geodesic.distance_to_sources(l) <= 1e-12);
-  }
-}
-
 // A point source near the tip of a spike: a half turn about the tip passes more corners than the mesh has halfedges.
 void source_near_tip_of_spike()
 {
@@ -639,67 +565,30 @@ void source_near_tip_of_spike()
   const Locations locations(data.mesh);
   for (const double off : {1e-4, 1e-5, 1e-7, 1e-9})
   {
-    Geodesic geodesic(data.mesh);
-    geodesic.add_source_point(locations.in_triangle(data, soup, 3, {{1 - off, off / 2, off / 2}}));
-    geodesic.build();
+    const Geodesic geodesic =
+      built(data.mesh, {point_source(locations.in_triangle(data, soup, 3, {{1 - off, off / 2, off / 2}}))}, false);
     for (auto v : data.vertices) CHECK(std::isfinite(geodesic.distance_to_sources(v)));
     CHECK(geodesic.distance_to_sources(data.vertices[0]) <= 19 * off);
   }
 }
 
-// A planar mesh. Of the polyline's three segments in a face, the second one runs along an edge, and the others cross. On the edge,
-// rounding makes a distance of its strip negative.
-void segment_along_edge_and_others()
+// Small cases of data/distance_cases.txt: behind the sources, vertices with their distances, and the tolerance.
+void cases_of_file()
 {
-  Soup soup;
-  soup.points = {
-    Point_3(0, 0, 0),
-    Point_3(0.3, 0, 0),
-    Point_3(0.7, 0, 0),
-    Point_3(1, 0, 0),
-    Point_3(0, 0.3, 0),
-    Point_3(0.4, 0.3, 0),
-    Point_3(0.7, 0.3, 0),
-    Point_3(1, 0.2, 0),
-    Point_3(0, 0.5, 0),
-    Point_3(0.4, 0.5, 0),
-    Point_3(0.6, 0.5, 0),
-    Point_3(1, 0.5, 0),
-    Point_3(0, 0.69091473391618885, 0),
-    Point_3(0.4, 0.7, 0),
-    Point_3(0.7, 0.7, 0),
-    Point_3(1, 0.7, 0),
-    Point_3(0, 1, 0),
-    Point_3(0.30261762537297282, 1, 0),
-    Point_3(0.6, 1, 0),
-    Point_3(1, 1, 0)};
-  const std::vector<std::array<std::size_t, 3>> triangles = {
-    {{0, 1, 4}},    {{1, 5, 4}},    {{1, 2, 6}},    {{1, 6, 5}},    {{2, 3, 6}},    {{3, 7, 6}},
-    {{4, 5, 8}},    {{5, 9, 8}},    {{5, 6, 10}},   {{5, 10, 9}},   {{6, 7, 11}},   {{6, 11, 10}},
-    {{8, 9, 13}},   {{8, 13, 12}},  {{9, 10, 13}},  {{10, 14, 13}}, {{10, 11, 15}}, {{10, 15, 14}},
-    {{17, 12, 13}}, {{17, 16, 12}}, {{13, 14, 18}}, {{13, 18, 17}}, {{14, 15, 18}}, {{15, 19, 18}}};
-  for (const auto& t : triangles) soup.add_triangle(t);
-  const std::size_t face = 19; // with the vertices 17, 16 and 12
-  const Data data(soup);
-  const Locations locations(data.mesh);
-  Geodesic geodesic(data.mesh);
-  std::vector<Face_location> polyline;
-  for (const std::array<double, 3>& weights :
-       {std::array<double, 3>{{0, 0.01, 0.99}},
-        {{0.5, 0, 0.5}},
-        {{0.10784529595969239, 0, 0.89215470404030761}},
-        {{0.96712473359644213, 0.032875266403557923, 0}}})
-    polyline.push_back(locations.in_triangle(data, soup, face, weights));
-  geodesic.add_source_polyline(polyline);
-  geodesic.build();
-  const Point_3 p = data.mesh.point(data.vertices[12]), q = data.mesh.point(data.vertices[17]),
-                r = data.mesh.point(data.vertices[9]);
-  const double x = q.x() - p.x(), y = q.y() - p.y();
-  const double expected = std::abs(x * (r.y() - p.y()) - y * (r.x() - p.x())) / std::hypot(x, y); // from the edge's line
-  CHECK(std::abs(geodesic.distance_to_sources(data.vertices[9]) - expected) <= 1e-14);
+  for (const Known_case& c : known_cases("distance_cases.txt"))
+  {
+    Report::instance().set_context(c.name);
+    const Geodesic geodesic = built(c.mesh, c.sources, false);
+    CHECK(c.numbers.size() % 2 == 1 && c.numbers.size() > 1);
+    for (std::size_t i = 0; i + 2 < c.numbers.size(); i += 2)
+    {
+      const double d = geodesic.distance_to_sources(test::Surface_mesh::Vertex_index(unsigned(c.numbers[i])));
+      CHECK_DETAIL(std::abs(d - c.numbers[i + 1]) <= c.numbers.back(), values(d, c.numbers[i + 1]));
+    }
+  }
 }
 
-// NaN in coordinates of a source is rejected. A thin strip, on which a far image and a vertex next to another vertex tie there,
+// A thin strip, on which a far image and a vertex next to another vertex tie there,
 // with directions that differ by 6e-5. The first case is from an attack; the others have other heights and gaps.
 void tie_with_a_near_image()
 {
@@ -753,6 +642,7 @@ void tie_with_a_near_image()
   }
 }
 
+// NaN in coordinates of a source is rejected.
 void not_a_number()
 {
   const Data data(icosphere(1));
@@ -775,35 +665,18 @@ GEODESIC_OFFSET_TEST(test_field_regressions)
     {"empty and duplicate", empty_and_duplicate},
     {"no source", no_source},
     {"adjacent and border sources", adjacent_and_border_sources},
-    {"many sources on saddles", many_sources_on_saddles},
     {"isolated vertices", isolated_vertices},
     {"disconnected parts", disconnected_parts},
     {"source and query on one edge", source_and_query_on_one_edge},
     {"custom point map", custom_point_map},
     {"short segments", short_segments},
-    {"many sources", many_sources},
     {"tiny and needle faces", tiny_and_needle_faces},
     {"paths over tiny and needle faces", paths_over_tiny_and_needle_faces},
     {"vertices hidden by rounding", vertices_hidden_by_rounding},
     {"paths over graded meshes", paths_over_graded_meshes},
-    {"polyline over tiny faces", polyline_over_tiny_faces},
     {"source near the tip of a spike", source_near_tip_of_spike},
-    {"segment along an edge and others", segment_along_edge_and_others},
+    {"cases of a file", cases_of_file},
     {"tie with a near image", tie_with_a_near_image},
     {"not a number", not_a_number}};
-  for (const auto& test : tests)
-  {
-    const std::size_t failures = Report::instance().failures();
-    Report::instance().set_context(test.first);
-    try
-    {
-      test.second();
-    }
-    catch (const std::exception& e)
-    {
-      CHECK_DETAIL(!"an exception was thrown", e.what());
-    }
-    std::cout << test.first << ": " << (Report::instance().failures() == failures ? "passed" : "FAILED") << std::endl;
-  }
-  return Report::instance().finish("test_field_regressions");
+  return run_tests("test_field_regressions", tests);
 }

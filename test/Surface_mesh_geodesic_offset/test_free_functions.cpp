@@ -53,13 +53,12 @@ Face_location location(std::size_t face, double x, double y)
 
 /// Compares the free functions for sources with the class for a source set.
 template <class Sources>
-void compare(const std::string& name, const Sources& sources, const Source_set& set)
+void compare(const std::string& name, const Sources& sources, const std::vector<Source>& expected_sources)
 {
   Report::instance().set_context(name);
   const Face_location from = location(200, 0.2, 0.3);
-  Geodesic geodesic(mesh());
-  geodesic.add_sources(set);
-  const Geodesic::Field field = geodesic.build(CGAL::parameters::keep_windows(true));
+  const Geodesic geodesic = built(mesh(), expected_sources);
+  const Geodesic::Field field = geodesic.field();
   const std::size_t n = mesh().number_of_vertices();
   std::vector<double> distances(n), expected(n);
   CGAL::geodesic_distances(mesh(), sources, CGAL::make_property_map(distances));
@@ -69,7 +68,7 @@ void compare(const std::string& name, const Sources& sources, const Source_set& 
   std::vector<std::size_t> labels(n), expected_labels(n);
   CGAL::geodesic_voronoi_labels(mesh(), sources, CGAL::make_property_map(labels));
   field.source_labels(CGAL::make_property_map(expected_labels));
-  CHECK(labels == expected_labels && *std::max_element(labels.begin(), labels.end()) + 1 == set.size());
+  CHECK(labels == expected_labels && *std::max_element(labels.begin(), labels.end()) + 1 == expected_sources.size());
 
   const std::vector<double> levels{0.1, 0.2};
   Offset_curves curves;
@@ -96,59 +95,30 @@ void kinds_of_sources()
   const std::vector<Edge_index> edges{Edge_index(7), Edge_index(8), Edge_index(90)};
   const std::vector<Point_3> points{point(0), CGAL::midpoint(point(1), point(2)), point(33)};
   const Geodesic::Mesh located(mesh());
-  Source_set set;
-  set.add_vertex(Vertex_index(3));
-  compare("vertex", Vertex_index(3), set);
+  compare("vertex", vertices[0], {point_source(vertices[0])});
+  compare("vertices", vertices, {point_source(vertices[0]), point_source(vertices[1]), point_source(vertices[2])});
+  compare("location", locations[0], {point_source(locations[0])});
+  compare("locations", locations, {point_source(locations[0]), point_source(locations[1])});
+  compare("point in space", points[1], {point_source(located.locate(points[1]))});
 
-  set = Source_set();
-  for (Vertex_index v : vertices) set.add_vertex(v);
-  compare("vertices", vertices, set);
-
-  set = Source_set();
-  set.add_location(locations[0]);
-  compare("location", locations[0], set);
-  set.add_location(locations[1]);
-  compare("locations", locations, set);
-
-  set = Source_set();
-  set.add_location(located.locate(points[1]));
-  compare("point in space", points[1], set);
-
-  set = Source_set();
   const Geodesic::Polyline line = located.locate_polyline(points);
-  set.add_polyline(line.locations);
-  compare("polyline in space", points, set);
-  compare("polyline", line, set);
-  set.add_polyline(line.locations);
-  const std::size_t second = set.size();
-  CHECK(second == 2);
-  set.remove(1);
-  set.add_polyline(located.locate_polyline(std::vector<Point_3>{point(90), point(95)}).locations);
-  compare("polylines in space", std::vector<std::vector<Point_3>>{points, {point(90), point(95)}}, [&] {
-    Source_set renumbered;
-    for (const auto& s : set.sources()) renumbered.add(s.second);
-    return renumbered;
-  }());
+  const Source polyline = polyline_source(line.locations);
+  compare("polyline in space", points, {polyline});
+  compare("polyline", line, {polyline});
+  const std::vector<Point_3> other{point(90), point(95)};
+  compare("polylines in space", std::vector<std::vector<Point_3>>{points, other},
+          {polyline, polyline_source(located.locate_polyline(other).locations)});
 
   // closed: the last point is the first one
-  std::vector<Point_3> ring{point(40), point(47), point(61), point(40)};
-  set = Source_set();
+  const std::vector<Point_3> ring{point(40), point(47), point(61), point(40)};
   const Geodesic::Polyline closed = located.locate_polyline(ring, CGAL::parameters::is_closed(true));
   CHECK(closed.is_closed);
-  set.add_polyline(closed);
-  compare("closed polyline in space", ring, set);
+  compare("closed polyline in space", ring, {polyline_source(closed.locations, true)});
 
-  set = Source_set();
-  set.add_edges(edges);
-  compare("edges", edges, set);
-  Source_set one_edge;
-  one_edge.add_edges(std::vector<Edge_index>{edges[0]});
-  compare("edge", edges[0], one_edge);
-
-  set.add_vertex(Vertex_index(3));
-  set.add_location(locations[0]);
-  set.add_polyline(line.locations);
-  compare("source set", set, set);
+  compare("edges", edges, {edge_source(edges)});
+  compare("edge", edges[0], {edge_source({edges[0]})});
+  const std::vector<Source> all{edge_source(edges), point_source(vertices[0]), point_source(locations[0]), polyline};
+  compare("source set", source_set(all), all);
   std::vector<double> distances(mesh().number_of_vertices());
   CHECK_THROWS(CGAL::geodesic_distances(mesh(), std::vector<Edge_index>(), CGAL::make_property_map(distances)),
                std::invalid_argument);
@@ -311,9 +281,7 @@ void fields()
   CHECK(is_from(first, b));
 
   // a callback that builds while a query goes on
-  Geodesic geodesic(mesh());
-  geodesic.add_source_point(a);
-  geodesic.build(CGAL::parameters::keep_windows(true));
+  Geodesic geodesic = built(mesh(), {point_source(a)});
   std::size_t calls = 0;
   geodesic.offset_curves_by_distance(std::vector<double>{0.1, 0.2, 0.3}, [&](double, Offset_curves&& curves) {
     ++calls;

@@ -4,10 +4,7 @@
 // The gradient is a unit vector in the plane of the face, orthogonal to the offset through the point (1e-9), and agrees
 // with finite differences. Paths leave offsets at right angles.
 
-#include "data_meshes.h"
-#include "generated_meshes.h"
-#include "path_tools.h"
-#include "plane_section.h"
+#include "query_cases.h"
 
 #include <string>
 #include <vector>
@@ -102,18 +99,16 @@ void check_differences(const Geodesic& geodesic, const Mesh_locations& locations
 }
 
 // From plane sections, or from a few points.
-void run(const std::string& name, const test::Surface_mesh& mesh, unsigned seed, bool polylines, Totals& totals)
+void run(Query_case& c, unsigned seed, bool polylines, Totals& totals)
 {
-  Report::instance().set_context(name + (polylines ? ", sections" : ", points") + ", seed " + std::to_string(seed));
+  c.set_context((polylines ? "sections, seed " : "points, seed ") + std::to_string(seed));
   Random random(seed);
-  Path_checker checker(mesh);
+  Path_checker& checker = c.checker;
   const Mesh_locations& locations = checker.locations;
-  Geodesic geodesic(mesh);
-  if (polylines)
-    for (const auto& section : random_plane_section(mesh, seed))
-      geodesic.add_source_polyline(section.locations, CGAL::parameters::is_closed(section.closed));
-  for (std::size_t i = 0; !polylines && i < 3; ++i) geodesic.add_source_point(random_location(locations, mesh, random, i));
-  geodesic.build(CGAL::parameters::keep_windows(true));
+  const test::Surface_mesh& mesh = c.mesh;
+  std::vector<Source> points;
+  for (const Face_location& l : c.random_points(random, 3)) points.push_back(point_source(l));
+  const Geodesic geodesic = built(mesh, polylines ? c.section(seed) : source_set(points));
 
   double largest = 0;
   for (Vertex_index v : used_vertices(mesh))
@@ -145,33 +140,9 @@ GEODESIC_OFFSET_TEST(test_gradient)
 {
   std::cout.precision(3);
   Totals totals;
-  const auto run_all = [&](const std::string& name, const test::Surface_mesh& mesh) {
-    for (unsigned seed : {1u, 2u, 3u}) try
-      {
-        run(name, mesh, seed, seed != 3, totals);
-      }
-      catch (const std::exception& e)
-      {
-        CHECK_DETAIL(!"an exception was thrown", e.what());
-      }
-  };
-  const std::pair<const char*, Soup> generated[] = {
-    {"rectangle", random_rectangle(4, 3, 120, 6, 1)},
-    {"jittered grid", jittered_grid(9, 7, 4)},
-    {"torus", torus(30, 20)},
-    {"genus 5", marching_genus_5(10)},
-    {"box", box_sides(1, 0.7, 0.45).triangulated(60, 5, 1)},
-    {"cone of 1.5 turns", Cone(8, 3 * CGAL_PI, 1).triangulated(30, 4, 5)},
-    {"L", l_shape(80, 5, 8)}};
-  if (mesh_kinds().generated)
-    for (const auto& soup : generated) run_all(soup.first, Generated_mesh<test::Surface_mesh>(rotated(soup.second, 5)).mesh);
-  for (const char* name : {"anchor.off", "elephant.off", "mesh_with_border.off"})
-  {
-    test::Surface_mesh mesh;
-    const std::string reason = read_data_mesh(std::filesystem::path(data_directory()) / name, 10000, mesh);
-    if (reason.empty()) run_all(name, mesh);
-    else std::cout << name << ": skipped, " << reason << std::endl;
-  }
+  for_each_mesh(all_mesh_names("tiny faces"), {"anchor.off", "elephant.off", "mesh_with_border.off"}, [&](Query_case& c) {
+    for (unsigned seed : {1u, 2u, 3u}) guarded([&] { run(c, seed, seed != 3, totals); });
+  });
   // Only a few points may be near ties.
   if (totals.differences > 0) CHECK(totals.kinks * 20 <= totals.differences);
   std::cout << totals.pieces << " pieces, worst cosine " << totals.orthogonality << "; finite differences at "

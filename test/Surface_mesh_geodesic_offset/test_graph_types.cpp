@@ -204,16 +204,28 @@ void smart_handles(const Graph& mesh)
 }
 #endif
 
+/// Distances of a Surface_mesh from three random sets of sources. A Polyhedron_3 with its elements in the same order has the same ones.
+std::vector<std::vector<double>> expected_distances(const std::string& name, const Soup& soup)
+{
+  const auto none = CGAL::parameters::default_values();
+  const Generated_mesh<Mesh> data(soup);
+  const Generated_mesh<CGAL::Polyhedron_3<Kernel>> other(soup);
+  std::vector<std::vector<double>> expected;
+  for (unsigned seed = 0; seed < 3; ++seed)
+  {
+    Report::instance().set_context(name + ", Polyhedron_3 in the same order, seed " + std::to_string(seed));
+    expected.push_back(distances(Numbered<Mesh>(data.mesh, soup), soup, seed, none));
+    CHECK(*std::max_element(expected.back().begin(), expected.back().end()) < 1e3);
+    CHECK(distances(Numbered<CGAL::Polyhedron_3<Kernel>>(other.mesh, soup), soup, seed, none) == expected.back());
+  }
+  return expected;
+}
+
 void run(const std::string& name, const Soup& soup, Worst_error& worst)
 {
   const auto none = CGAL::parameters::default_values();
   const Generated_mesh<Mesh> data(soup);
-  std::vector<std::vector<double>> expected;
-  for (unsigned seed = 0; seed < 3; ++seed)
-  {
-    expected.push_back(distances(Numbered<Mesh>(data.mesh, soup), soup, seed, none));
-    CHECK(*std::max_element(expected.back().begin(), expected.back().end()) < 1e3);
-  }
+  const std::vector<std::vector<double>> expected = expected_distances(name, soup);
 
   compare(name + ", Surface_mesh with garbage", with_garbage(soup), soup, expected, worst, none);
 
@@ -403,6 +415,35 @@ void flat_torus()
   CHECK(complaint(e, 0.99 * sum).empty());
 }
 
+// Unset indices, the initial state of all elements of a Polyhedron_3 with ids.
+template <class Descriptor>
+struct Unset_index
+{
+  typedef Descriptor key_type;
+  typedef std::size_t value_type, reference;
+  typedef boost::readable_property_map_tag category;
+  friend std::size_t get(const Unset_index&, Descriptor) { return std::size_t(-1); }
+};
+
+void unset_indices()
+{
+  Report::instance().set_context("unset indices");
+  typedef CGAL::Surface_mesh_geodesic_offset_traits<Kernel, Mesh> Traits;
+  typedef Unset_index<Vertex_index> Unset_vertex_index;
+  typedef Unset_index<Face_index> Unset_face_index;
+  const Mesh mesh = Generated_mesh<Mesh>(icosphere(1)).mesh;
+  const auto no_faces = [&] {
+    CGAL::Surface_mesh_geodesic_offset<Traits, CGAL::Default, Unset_face_index>(
+      mesh, CGAL::parameters::face_index_map(Unset_face_index()));
+  };
+  const auto no_vertices = [&] {
+    CGAL::Surface_mesh_geodesic_offset<Traits, Unset_vertex_index>(mesh,
+                                                                   CGAL::parameters::vertex_index_map(Unset_vertex_index()));
+  };
+  CHECK_THROWS(no_faces(), std::length_error);
+  CHECK_THROWS(no_vertices(), std::length_error);
+}
+
 } // namespace test_graph_types
 
 GEODESIC_OFFSET_TEST(test_graph_types)
@@ -411,6 +452,10 @@ GEODESIC_OFFSET_TEST(test_graph_types)
   run("torus", rotated(torus(20, 12), 1), worst);
   run("saddle", Cone(8, 3 * CGAL_PI, 1).triangulated(30, 4, 2), worst);
   run("grid", planar_grid(15, 10, Diagonals::alternating), worst);
+  expected_distances("genus 5", marching_genus_5(10));
+  expected_distances("box", rotated(box_sides(1, 0.7, 0.45).triangulated(40, 4, 1), 1));
+  expected_distances("icosphere", icosphere(2));
+  unset_indices();
   seams(worst);
   flat_torus();
   return Report::instance().finish("test_graph_types");

@@ -62,12 +62,9 @@ void squares(const std::string& name, const Planar_mesh& plane)
 void hole(const Planar_mesh& plane)
 {
   Report::instance().set_context("a hole");
-  Geodesic geodesic(plane.data.mesh);
   const Line outer{{0.75, 0.75}, {3.25, 0.75}, {3.25, 3.25}, {0.75, 3.25}};
   const Line inner{{1.75, 1.75}, {2.25, 1.75}, {2.25, 2.25}, {1.75, 2.25}};
-  plane.add(geodesic, outer, true);
-  plane.add(geodesic, reversed(inner), true);
-  geodesic.build(CGAL::parameters::keep_windows(true));
+  const Geodesic geodesic = plane.field({outer, reversed(inner)}, true);
   const double d = 0.125, round = 2 * CGAL_PI * d;
   check(geodesic, d, Offset_side::LEFT, 2, 10 - 8 * d + 2 + round);
   check(geodesic, d, Offset_side::RIGHT, 2, 10 + round + 2 - 8 * d);
@@ -138,9 +135,7 @@ void round_hole()
   for (const Line& line : {hole, reversed(hole)})
   {
     Report::instance().set_context("round a hole");
-    Geodesic geodesic(plane.data.mesh);
-    plane.add(geodesic, line, true);
-    geodesic.build(CGAL::parameters::keep_windows(true));
+    const Geodesic geodesic = plane.field({line}, true);
     check(geodesic, 0.25, Offset_side::INSIDE, 1, 4 + 2 * CGAL_PI * 0.25);
     CHECK(offsets(geodesic, 0.25, Offset_side::OUTSIDE).empty());
   }
@@ -155,9 +150,7 @@ void tiny()
   {
     Report::instance().set_context("a tiny square");
     const Line square{p, p + Vector_2(e, 0), p + Vector_2(e, e), p + Vector_2(0, e)};
-    Geodesic geodesic(plane.data.mesh);
-    plane.add(geodesic, square, true);
-    geodesic.build(CGAL::parameters::keep_windows(true));
+    const Geodesic geodesic = plane.field({square}, true);
     check(geodesic, e / 4, Offset_side::INSIDE, 1, 2 * e);
     check(geodesic, e / 4, Offset_side::OUTSIDE, 1, 4 * e + CGAL_PI * e / 2);
   }
@@ -196,9 +189,7 @@ void in_one_face()
   for (const Line& line : {triangle, reversed(triangle), other, reversed(other)})
   {
     Report::instance().set_context("in one face");
-    Geodesic geodesic(plane.data.mesh);
-    plane.add(geodesic, line, true);
-    geodesic.build(CGAL::parameters::keep_windows(true));
+    const Geodesic geodesic = plane.field({line}, true);
     const double perimeter = 1 + std::sqrt(0.5),
                  d = 0.0625;                // a right isosceles triangle with legs 1/2
     const double radius = 0.25 / perimeter; // inscribed radius: twice the area over the perimeter

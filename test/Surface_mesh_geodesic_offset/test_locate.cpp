@@ -16,7 +16,6 @@
 #include <algorithm>
 #include <memory>
 #include <string>
-#include <thread>
 #include <vector>
 
 namespace test_locate {
@@ -552,39 +551,6 @@ void distances()
   CHECK_THROWS(geodesic.locate_polyline_with_distance(std::vector<Point_3>()), std::invalid_argument);
 }
 
-// The first queries of several threads build the tree.
-void several_threads()
-{
-  const Mesh_data data(marching_genus_5(14));
-  const Checker checker("several threads", data.mesh);
-  Random random(1);
-  std::vector<Point_3> points;
-  for (int i = 0; i < 500; ++i)
-    points.push_back(Point_3(uniform(random, -3, 3), uniform(random, -3, 3), uniform(random, -3, 3)));
-  const auto locate_all = [&points](const Geodesic& geodesic) {
-    std::vector<Face_location> result;
-    for (const Point_3& p : points)
-    {
-      result.push_back(geodesic.locate(p));
-      result.push_back(geodesic.locate(p, CGAL::parameters::snapping_tolerance(0.1)));
-      if (const auto l = geodesic.locate(Ray_3(p, Point_3(0, 0, 0)))) result.push_back(*l);
-    }
-    return result;
-  };
-  const std::vector<Face_location> expected = locate_all(checker.geodesic);
-  for (int round = 0; round < 5; ++round)
-  {
-    const Geodesic geodesic(data.mesh);
-    const Geodesic copy(geodesic);
-    std::vector<std::vector<Face_location>> results(4);
-    std::vector<std::thread> threads;
-    for (std::size_t i = 0; i < results.size(); ++i)
-      threads.emplace_back([&, i] { results[i] = locate_all(i % 2 == 0 ? geodesic : copy); });
-    for (std::thread& t : threads) t.join();
-    for (const auto& result : results) CHECK(result == expected);
-  }
-}
-
 void bad_input()
 {
   Report::instance().set_context("bad input");
@@ -629,12 +595,17 @@ GEODESIC_OFFSET_TEST(test_locate)
 {
   std::cout.precision(3);
   const std::pair<const char*, void (*)()> tests[] = {
-    {"generated meshes", generated_meshes}, {data_case, data_meshes},
-    {"larger tolerance", larger_tolerance}, {"thin cap", thin_cap},
-    {"rays at a sphere", rays_at_a_sphere}, {"rays at a plane", rays_at_a_plane},
-    {"custom point map", custom_point_map}, {"isolated vertex", isolated_vertex},
-    {"search and tree", search_and_tree},   {"distances", distances},
-    {"several threads", several_threads},   {"bad input", bad_input}};
+    {"generated meshes", generated_meshes},
+    {data_case, data_meshes},
+    {"larger tolerance", larger_tolerance},
+    {"thin cap", thin_cap},
+    {"rays at a sphere", rays_at_a_sphere},
+    {"rays at a plane", rays_at_a_plane},
+    {"custom point map", custom_point_map},
+    {"isolated vertex", isolated_vertex},
+    {"search and tree", search_and_tree},
+    {"distances", distances},
+    {"bad input", bad_input}};
   const int result = run_tests("test_locate", tests);
   std::cout << number_of_queries << " points located, the worst off by " << worst << " of what is allowed" << std::endl;
   return result;

@@ -40,55 +40,7 @@ struct Visitor
   }
 };
 
-// One parameter each: alone, and behind others.
-struct Keep
-{
-  auto first() const { return CGAL::parameters::keep_windows(true); }
-  template <class NP>
-  auto behind(const NP& np) const
-  {
-    return np.keep_windows(true);
-  }
-};
-struct Verbose
-{
-  auto first() const { return CGAL::parameters::verbose(true); }
-  template <class NP>
-  auto behind(const NP& np) const
-  {
-    return np.verbose(true);
-  }
-};
-struct Limit
-{
-  auto first() const { return CGAL::parameters::distance_limit(0.9); }
-  template <class NP>
-  auto behind(const NP& np) const
-  {
-    return np.distance_limit(0.9);
-  }
-};
-struct Visit
-{
-  Visitor* visitor;
-
-  auto first() const { return CGAL::parameters::visitor(std::ref(*visitor)); }
-  template <class NP>
-  auto behind(const NP& np) const
-  {
-    return np.visitor(std::ref(*visitor));
-  }
-};
-struct Concurrency
-{
-  auto first() const { return CGAL::parameters::concurrency_tag(CGAL::Parallel_if_available_tag()); }
-  template <class NP>
-  auto behind(const NP& np) const
-  {
-    return np.concurrency_tag(CGAL::Parallel_if_available_tag());
-  }
-};
-
+/// Named parameters in an order: each function appends one.
 template <class NP>
 auto chain(const NP& np)
 {
@@ -97,12 +49,7 @@ auto chain(const NP& np)
 template <class NP, class P, class... Ps>
 auto chain(const NP& np, const P& p, const Ps&... ps)
 {
-  return chain(p.behind(np), ps...);
-}
-template <class P, class... Ps>
-auto joined(const P& p, const Ps&... ps)
-{
-  return chain(p.first(), ps...);
+  return chain(p(np), ps...);
 }
 
 /// The text that a function writes to std::clog.
@@ -129,22 +76,22 @@ public:
 
   void run()
   {
-    all_of(Keep(), Verbose(), Limit(), Visit{&visitor_});
-    for_order(Concurrency(), Visit{&visitor_}, Keep(), Limit(), Verbose());
-    for_order(Visit{&visitor_}, Concurrency(), Verbose(), Limit(), Keep());
-    for_order(Limit(), Verbose(), Visit{&visitor_}, Keep(), Concurrency());
+    const auto keep = [](const auto& np) { return np.keep_windows(true); };
+    const auto verbose = [](const auto& np) { return np.verbose(true); };
+    const auto limit = [](const auto& np) { return np.distance_limit(0.9); };
+    const auto visit = [this](const auto& np) { return np.visitor(std::ref(visitor_)); };
+    const auto parallel = [](const auto& np) { return np.concurrency_tag(CGAL::Parallel_if_available_tag()); };
+    three(keep, verbose, limit, visit);
+    three(verbose, keep, limit, visit);
+    three(limit, keep, verbose, visit);
+    three(visit, keep, verbose, limit);
+    for_order(parallel, visit, keep, limit, verbose);
+    for_order(visit, parallel, verbose, limit, keep);
+    for_order(limit, verbose, visit, keep, parallel);
     CHECK(number_ == 4 * 3 * 2 + 3);
   }
 
 private:
-  template <class A, class B, class C, class D>
-  void all_of(const A& a, const B& b, const C& c, const D& d)
-  {
-    three(a, b, c, d);
-    three(b, a, c, d);
-    three(c, a, b, d);
-    three(d, a, b, c);
-  }
   template <class First, class A, class B, class C>
   void three(const First& first, const A& a, const B& b, const C& c)
   {
@@ -162,7 +109,7 @@ private:
     Report::instance().set_context("order " + std::to_string(++number_));
     visitor_ = Visitor();
     geodesic_.build();
-    const std::string text = logged([&] { geodesic_.build(joined(ps...)); });
+    const std::string text = logged([&] { geodesic_.build(chain(CGAL::parameters::default_values(), ps...)); });
     CHECK_DETAIL(text.find("windows propagated") != std::string::npos, text);
     CHECK(visitor_.calls > 1 && visitor_.last == 1);
     const std::vector<double> found = distances(); // needs kept windows

@@ -1,12 +1,10 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Nearest source of a point, and labels of vertices: in the plane against brute force over the sources, elsewhere against
-// dense sampling and the distance from the found point. Paths meet polylines at right angles.
+// Nearest source of a point, and labels of vertices: in the plane against brute force over the sources. test_properties has the
+// nearest sources on other meshes.
 
-#include "data_meshes.h"
 #include "path_tools.h"
-#include "plane_section.h"
 #include "planar_polyline.h"
 
 #include <map>
@@ -19,8 +17,8 @@ using namespace test;
 
 struct Totals
 {
-  std::size_t points = 0, ties = 0, at_segments = 0, at_points = 0, feet = 0;
-  double location = 0, foot = 0;
+  std::size_t points = 0, ties = 0, at_segments = 0, at_points = 0;
+  double location = 0;
 };
 
 // Source in the plane: a point, or a polyline of legs; `leg_of`: leg of each segment.
@@ -184,88 +182,6 @@ void compare_with_plane(Planar_mesh& plane, unsigned seed, Worst_error& worst, T
     }
 }
 
-// Distance of a point from the given segment, and from the line through it.
-double off_segment(const Mesh_locations& locations, const Path_locations& polyline, std::size_t i, const Point_3& p, bool line,
-                   Vector_3& direction)
-{
-  const Point_3 a = locations.point(polyline[i]), b = locations.point(polyline[(i + 1) % polyline.size()]);
-  direction = b - a;
-  return std::sqrt(line ? CGAL::squared_distance(p, Kernel::Line_3(a, b)) : CGAL::squared_distance(p, Kernel::Segment_3(a, b)));
-}
-
-// Plane sections as sources on any mesh.
-void sections(const std::string& name, const test::Surface_mesh& mesh, unsigned seed, Totals& totals)
-{
-  Report::instance().set_context(name);
-  Random random(seed);
-  Path_checker checker(mesh);
-  const Mesh_locations& locations = checker.locations;
-  Geodesic geodesic(mesh), sampled(mesh);
-  std::map<std::size_t, Path_locations> polylines; // by id
-  double step = 0;
-  for (const auto& section : random_plane_section(mesh, seed))
-  {
-    polylines[geodesic.add_source_polyline(section.locations, CGAL::parameters::is_closed(section.closed))] = section.locations;
-    for (std::size_t i = 0; i < section.number_of_segments(); ++i)
-    {
-      const int samples = 16;
-      for (int k = 0; k <= samples; ++k) sampled.add_source_point(section.between(locations, i, double(k) / samples));
-      step = (std::max)(step, distance(locations.point(section.between(locations, i, 0)),
-                                       locations.point(section.between(locations, i, 1))) /
-                                samples);
-    }
-  }
-  geodesic.build(CGAL::parameters::keep_windows(true));
-  sampled.build(CGAL::parameters::keep_windows(true));
-
-  for (int i = 0; i < 120; ++i)
-  {
-    const Face_location query = random_location(locations, mesh, random, std::size_t(i) % 3);
-    const auto nearest = geodesic.nearest_source(query);
-    CHECK(nearest.has_value() == std::isfinite(sampled.distance_to_sources(query)));
-    if (!nearest) continue;
-    ++totals.points;
-    const double d = nearest->distance, approximate = sampled.distance_to_sources(query);
-    CHECK_DETAIL(d <= approximate * (1 + 1e-12) + 1e-14 * checker.scale && approximate <= d + step / 2 * (1 + 1e-9),
-                 values(d, approximate));
-    if (i < 40) // the distance from the found point is correct
-    {
-      Geodesic from_it(mesh);
-      from_it.add_source_point(nearest->location);
-      from_it.build(CGAL::parameters::keep_windows(true));
-      const double back = from_it.distance_to_sources(query);
-      CHECK_DETAIL(std::abs(back - d) <= 1e-12 * checker.scale, values(back, d));
-    }
-    if (!CHECK(polylines.count(nearest->source) == 1)) continue;
-    const Path_locations& polyline = polylines[nearest->source];
-    if (!CHECK(nearest->part < polyline.size())) continue;
-    const Point_3 foot = checker.point(nearest->location);
-    const Path_locations path = checker(geodesic, query);
-    Vector_3 direction;
-    if (!nearest->is_segment)
-    {
-      ++totals.at_points;
-      CHECK(distance(foot, checker.point(polyline[nearest->part])) <= 1e-12 * checker.scale);
-      continue;
-    }
-    ++totals.at_segments;
-    // on the segment, or on a collinear neighbour
-    CHECK(off_segment(locations, polyline, nearest->part, foot, true, direction) <= 1e-12 * checker.scale);
-    double off = infinity;
-    Vector_3 ignored;
-    for (std::size_t k = 0; k < polyline.size(); ++k)
-      off = (std::min)(off, off_segment(locations, polyline, k, foot, false, ignored));
-    CHECK(off <= 1e-12 * checker.scale);
-    if (path.size() < 2 || direction.squared_length() < CGAL::square(1e-5 * checker.scale)) continue;
-    const Vector_3 last = checker.point(path.back()) - checker.point(path[path.size() - 2]);
-    if (last.squared_length() < CGAL::square(1e-5 * checker.scale)) continue;
-    ++totals.feet;
-    const double cosine = unit(last) * unit(direction);
-    totals.foot = (std::max)(totals.foot, std::abs(cosine));
-    CHECK_DETAIL(std::abs(cosine) <= 1e-9, values(cosine, 0));
-  }
-}
-
 void in_the_plane()
 {
   Totals totals;
@@ -297,36 +213,6 @@ void in_the_plane()
 GEODESIC_OFFSET_TEST(test_nearest_source)
 {
   std::cout.precision(3);
-  if (mesh_kinds().generated) in_the_plane();
-
-  Totals totals;
-  const std::pair<const char*, Soup> generated[] = {
-    {"torus", torus(30, 20)},
-    {"genus 5", marching_genus_5(10)},
-    {"box", box_sides(1, 0.7, 0.45).triangulated(60, 5, 1)},
-    {"cone of 1.5 turns", Cone(8, 3 * CGAL_PI, 1).triangulated(30, 4, 5)},
-    {"L", l_shape(80, 5, 8)}};
-  const auto run = [&](const std::string& name, const test::Surface_mesh& mesh) {
-    try
-    {
-      for (unsigned seed : {1u, 2u}) sections(name, mesh, seed, totals);
-    }
-    catch (const std::exception& e)
-    {
-      CHECK_DETAIL(!"an exception was thrown", e.what());
-    }
-  };
-  if (mesh_kinds().generated)
-    for (const auto& soup : generated) run(soup.first, Generated_mesh<test::Surface_mesh>(rotated(soup.second, 5)).mesh);
-  for (const char* name : {"anchor.off", "elephant.off", "mesh_with_border.off"})
-  {
-    test::Surface_mesh mesh;
-    const std::string reason = read_data_mesh(std::filesystem::path(data_directory()) / name, 10000, mesh);
-    if (reason.empty()) run(name, mesh);
-    else std::cout << name << ": skipped, " << reason << std::endl;
-  }
-  std::cout << "elsewhere: " << totals.points << " points, " << totals.at_segments << " nearest to segments, "
-            << totals.at_points << " to points; " << totals.feet << " paths to segments, worst cosine " << totals.foot
-            << std::endl;
+  in_the_plane();
   return Report::instance().finish("test_nearest_source");
 }

@@ -41,9 +41,7 @@ void check_signed(double actual, const std::pair<double, int>& expected, Totals&
 // One polyline on a planar mesh: the signed distance, and the side of each piece of some offsets.
 void compare_with_plane(Planar_mesh& plane, const Planar_mesh::Path& path, bool closed, Totals& totals)
 {
-  Geodesic geodesic(plane.data.mesh);
-  geodesic.add_source_polyline(path.locations, CGAL::parameters::is_closed(closed));
-  geodesic.build(CGAL::parameters::keep_windows(true));
+  const Geodesic geodesic = built(plane.data.mesh, {polyline_source(path.locations, closed)});
   const Signed_distance expected(path.legs, closed);
   const double margin = 1e-9;
   for (auto v : plane.data.vertices)
@@ -146,9 +144,7 @@ void check_curves(const Planar_mesh& plane, const Geodesic& geodesic, double lev
 void one_segment(const Planar_mesh& plane, const Point_2& a, const Point_2& b, double level)
 {
   Report::instance().set_context("segment at level " + std::to_string(level));
-  Geodesic geodesic(plane.data.mesh);
-  plane.add(geodesic, {a, b});
-  geodesic.build(CGAL::parameters::keep_windows(true));
+  const Geodesic geodesic = plane.field({{a, b}});
   const double length = distance(a, b), round = CGAL_PI * level;
   const Vector_2 n = level / length * Vector_2(-(b - a).y(), (b - a).x());
   // the source is on the left of the curves
@@ -163,9 +159,7 @@ void one_segment(const Planar_mesh& plane, const Point_2& a, const Point_2& b, d
   check_curves(plane, geodesic, level, Offset_side::RIGHT, Offset_end::ROUND, {{false, length + 2 * round, a + n, b + n}},
                false);
 
-  Geodesic back(plane.data.mesh);
-  plane.add(back, {b, a});
-  back.build(CGAL::parameters::keep_windows(true));
+  const Geodesic back = plane.field({{b, a}});
   check_curves(plane, back, level, Offset_side::RIGHT, Offset_end::BUTT, {left}, true);
   check_curves(plane, back, level, Offset_side::LEFT, Offset_end::BUTT, {right}, true);
 }
@@ -174,9 +168,7 @@ void one_segment(const Planar_mesh& plane, const Point_2& a, const Point_2& b, d
 void corner(const Planar_mesh& plane, double level)
 {
   Report::instance().set_context("corner at level " + std::to_string(level));
-  Geodesic geodesic(plane.data.mesh);
-  plane.add(geodesic, {Point_2(1, 2), Point_2(2, 2), Point_2(2, 3)});
-  geodesic.build(CGAL::parameters::keep_windows(true));
+  const Geodesic geodesic = plane.field({{Point_2(1, 2), Point_2(2, 2), Point_2(2, 3)}});
   const double quarter = CGAL_PI / 2 * level;
   const Expected_curve left{false, 2 * (1 - level), Point_2(2 - level, 3), Point_2(1, 2 + level)};
   const Expected_curve right{false, 2 + quarter, Point_2(1, 2 - level), Point_2(2 + level, 3)};
@@ -286,9 +278,7 @@ void along_edges_of_grids()
       for (std::size_t j = last; j > first; --j) add(first, j);
     if (closed) legs.back().b = legs.front().a;
     else legs.pop_back();
-    Geodesic geodesic(data.mesh);
-    geodesic.add_source_polyline(polyline, CGAL::parameters::is_closed(closed));
-    geodesic.build(CGAL::parameters::keep_windows(true));
+    const Geodesic geodesic = built(data.mesh, {polyline_source(polyline, closed)});
     const Signed_distance expected(legs, closed);
     for (std::size_t i = 0; i < data.vertices.size(); ++i)
     {

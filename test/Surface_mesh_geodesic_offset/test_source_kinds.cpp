@@ -4,15 +4,15 @@
 // Different descriptions of one source give the same distances; removal, distance limits, unreachable parts, invalid
 // arguments.
 
-#include "closed_forms.h"
-#include "flat_paths.h"
 #include "generated_meshes.h"
 #include "geodesic_types.h"
+#include "locations.h"
 #include "test_check.h"
 
 #include <CGAL/boost/graph/generators.h>
 
 #include <cmath>
+#include <functional>
 #include <iterator>
 #include <limits>
 #include <set>
@@ -31,15 +31,15 @@ typedef test::Surface_mesh::Edge_index Edge_index;
 typedef test::Locations<test::Surface_mesh> Locations;
 typedef Generated_mesh<test::Surface_mesh> Data;
 
-template <class AddSources>
-std::vector<double> distances(const test::Surface_mesh& mesh, const AddSources& add_sources)
+std::vector<double> vertex_distances(const Geodesic& geodesic, const test::Surface_mesh& mesh)
 {
-  Geodesic geodesic(mesh);
-  add_sources(geodesic);
-  geodesic.build();
   std::vector<double> result;
   for (Vertex_index v : vertices(mesh)) result.push_back(geodesic.distance_to_sources(v));
   return result;
+}
+std::vector<double> distances(const test::Surface_mesh& mesh, const std::vector<Source>& sources)
+{
+  return vertex_distances(built(mesh, sources, false), mesh);
 }
 
 void check_same(const std::string& what, const test::Surface_mesh& mesh, const std::vector<double>& a,
@@ -84,155 +84,83 @@ std::vector<Halfedge_index> some_halfedges(const test::Surface_mesh& mesh, Rando
   return result;
 }
 
-void points(const std::string& name, const test::Surface_mesh& mesh, unsigned seed)
+// Different descriptions of the same sources around some halfedges.
+void descriptions(const std::string& name, const test::Surface_mesh& mesh, unsigned seed)
 {
+  typedef std::vector<Face_location> Points;
   Random random(seed);
   const Locations locations(mesh);
+  const auto of = [&](const std::vector<Source>& sources) { return distances(mesh, sources); };
+  const auto same = [&](const char* what, const std::vector<double>& expected, const std::vector<Source>& sources) {
+    check_same(name + ": " + what, mesh, of(sources), expected);
+  };
   for (Halfedge_index h : some_halfedges(mesh, random))
   {
     const Vertex_index v = target(h, mesh), u = source(h, mesh);
-    const std::vector<double> from_v = distances(mesh, [&](Geodesic& g) { g.add_source_point(v); });
-    const std::vector<double> from_u = distances(mesh, [&](Geodesic& g) { g.add_source_point(u); });
+    const Source at_v = point_source(v), at_u = point_source(u);
+    const std::vector<double> from_v = of({at_v}), from_u = of({at_u});
     for (std::size_t turn = 0; turn < 3; ++turn)
-      check_same(name + ": a vertex as a face location", mesh,
-                 distances(mesh, [&](Geodesic& g) { g.add_source_point(locations.at_vertex(v, turn)); }), from_v);
-    check_same(name + ": duplicate vertices", mesh,
-               distances(mesh,
-                         [&](Geodesic& g) {
-                           g.add_source_point(v);
-                           g.add_source_point(v);
-                           g.add_source_point(locations.at_vertex(v, 1));
-                         }),
-               from_v);
-    check_same(name + ": adjacent vertices", mesh,
-               distances(mesh,
-                         [&](Geodesic& g) {
-                           g.add_source_point(u);
-                           g.add_source_point(v);
-                         }),
-               minimum(from_u, from_v));
-    check_same(name + ": a polyline of one vertex", mesh,
-               distances(mesh, [&](Geodesic& g) { g.add_source_polyline(std::vector<Face_location>{locations.at_vertex(v)}); }),
-               from_v);
-
+      same("a vertex as a face location", from_v, {point_source(locations.at_vertex(v, turn))});
+    same("duplicate vertices", from_v, {at_v, at_v, point_source(locations.at_vertex(v, 1))});
+    same("adjacent vertices", minimum(from_u, from_v), {at_u, at_v});
+    same("a polyline of one vertex", from_v, {polyline_source({locations.at_vertex(v)})});
     for (double t : {0.3, 0.5, 1e-9})
     {
-      const Face_location on_edge = locations.on_edge(h, t);
-      const std::vector<double> expected = distances(mesh, [&](Geodesic& g) { g.add_source_point(on_edge); });
-      const Face_location other = opposite_description(locations, on_edge);
-      check_same(name + ": a point on an edge, from both faces", mesh,
-                 distances(mesh, [&](Geodesic& g) { g.add_source_point(other); }), expected);
-      check_same(name + ": a point on an edge, twice", mesh,
-                 distances(mesh,
-                           [&](Geodesic& g) {
-                             g.add_source_point(on_edge);
-                             g.add_source_point(other);
-                           }),
-                 expected);
+      const Source on_edge = point_source(locations.on_edge(h, t)),
+                   other = point_source(opposite_description(locations, on_edge.locations[0]));
+      same("a point on an edge, from both faces", of({on_edge}), {other});
+      same("a point on an edge, twice", of({on_edge}), {on_edge, other});
     }
-    const Face_location inside(face(h, mesh), random_barycentric(random));
-    const std::vector<double> from_inside = distances(mesh, [&](Geodesic& g) { g.add_source_point(inside); });
-    check_same(name + ": duplicate points in a face", mesh,
-               distances(mesh,
-                         [&](Geodesic& g) {
-                           g.add_source_point(inside);
-                           g.add_source_point(inside);
-                         }),
-               from_inside);
-    check_same(name + ": a point in a face and a vertex of the face", mesh,
-               distances(mesh,
-                         [&](Geodesic& g) {
-                           g.add_source_point(inside);
-                           g.add_source_point(v);
-                         }),
-               minimum(from_inside, from_v));
-  }
-}
+    const Source inside = point_source(Face_location(face(h, mesh), random_barycentric(random)));
+    same("duplicate points in a face", of({inside}), {inside, inside});
+    same("a point in a face and a vertex of the face", minimum(of({inside}), from_v), {inside, at_v});
 
-void polylines(const std::string& name, const test::Surface_mesh& mesh, unsigned seed)
-{
-  Random random(seed);
-  const Locations locations(mesh);
-  for (Halfedge_index h : some_halfedges(mesh, random))
-  {
     // A path through the face of h with all kinds of places, from a vertex to an edge.
-    const std::vector<Face_location> way = {locations.at_vertex(source(h, mesh), 2),
-                                            Face_location(face(h, mesh), random_barycentric(random)), locations.on_edge(h, 0.4),
-                                            locations.on_edge(next(h, mesh), 0.7)};
-    const std::vector<double> expected = distances(mesh, [&](Geodesic& g) { g.add_source_polyline(way); });
-
-    std::vector<Face_location> repeated;
-    for (const Face_location& l : way) repeated.insert(repeated.end(), 3, l);
-    check_same(name + ": repeated points", mesh, distances(mesh, [&](Geodesic& g) { g.add_source_polyline(repeated); }),
-               expected);
-
-    std::vector<Face_location> described;
-    for (const Face_location& l : way) described.push_back(opposite_description(locations, l));
-    check_same(name + ": points described from the other faces", mesh,
-               distances(mesh, [&](Geodesic& g) { g.add_source_polyline(described); }), expected);
-
-    const std::vector<Face_location> reversed(way.rbegin(), way.rend());
-    check_same(name + ": reversed", mesh, distances(mesh, [&](Geodesic& g) { g.add_source_polyline(reversed); }), expected);
-
-    check_same(name + ": segment by segment", mesh,
-               distances(mesh,
-                         [&](Geodesic& g) {
-                           for (std::size_t i = 0; i + 1 < way.size(); ++i)
-                             g.add_source_polyline(std::vector<Face_location>{way[i], way[i + 1]});
-                         }),
-               expected);
-
-    check_same(name + ": there and back, with its points added", mesh,
-               distances(mesh,
-                         [&](Geodesic& g) {
-                           std::vector<Face_location> there_and_back = way;
-                           there_and_back.insert(there_and_back.end(), way.rbegin(), way.rend());
-                           g.add_source_polyline(there_and_back);
-                           for (const Face_location& l : way) g.add_source_point(l);
-                         }),
-               expected);
-
-    std::vector<Face_location> loop = {way[1], way[2], way[3]};
-    const std::vector<double> closed =
-      distances(mesh, [&](Geodesic& g) { g.add_source_polyline(loop, CGAL::parameters::is_closed(true)); });
+    const Points way = {locations.at_vertex(u, 2), Face_location(face(h, mesh), random_barycentric(random)),
+                        locations.on_edge(h, 0.4), locations.on_edge(next(h, mesh), 0.7)};
+    const std::vector<double> expected = of({polyline_source(way)});
+    Points repeated, described, there_and_back = way;
+    std::vector<Source> segments, and_points;
+    for (std::size_t i = 0; i < way.size(); ++i)
+    {
+      repeated.insert(repeated.end(), 3, way[i]);
+      described.push_back(opposite_description(locations, way[i]));
+      and_points.push_back(point_source(way[i]));
+      if (i > 0) segments.push_back(polyline_source({way[i - 1], way[i]}));
+    }
+    there_and_back.insert(there_and_back.end(), way.rbegin(), way.rend());
+    and_points.push_back(polyline_source(there_and_back));
+    same("repeated points", expected, {polyline_source(repeated)});
+    same("points described from the other faces", expected, {polyline_source(described)});
+    same("reversed", expected, {polyline_source(Points(way.rbegin(), way.rend()))});
+    same("segment by segment", expected, segments);
+    same("there and back, with its points added", expected, and_points);
+    Points loop(way.begin() + 1, way.end());
+    const std::vector<double> closed = of({polyline_source(loop, true)});
     loop.push_back(loop.front());
-    check_same(name + ": closed, or with the first point repeated", mesh,
-               distances(mesh, [&](Geodesic& g) { g.add_source_polyline(loop); }), closed);
-    check_same(name + ": closed and with the first point repeated", mesh,
-               distances(mesh, [&](Geodesic& g) { g.add_source_polyline(loop, CGAL::parameters::is_closed(true)); }), closed);
-  }
-}
+    same("closed, or with the first point repeated", closed, {polyline_source(loop)});
+    Geodesic both(mesh); // closed and with the first point repeated
+    both.add_source_polyline(loop, CGAL::parameters::is_closed(true));
+    both.build();
+    check_same(name + ": closed and with the first point repeated", mesh, vertex_distances(both, mesh), closed);
 
-void edge_sets(const std::string& name, const test::Surface_mesh& mesh, unsigned seed)
-{
-  Random random(seed);
-  const Locations locations(mesh);
-  for (Halfedge_index first : some_halfedges(mesh, random))
-  {
     // A walk along edges, turning left and right.
     std::vector<Edge_index> edges;
-    std::vector<Face_location> along = {locations.at_vertex(source(first, mesh))};
-    Halfedge_index h = first;
+    std::vector<Source> twice;
+    Points along = {locations.at_vertex(u)};
+    Halfedge_index g = h;
     for (int i = 0; i < 6; ++i)
     {
-      edges.push_back(edge(h, mesh));
-      along.push_back(locations.at_vertex(target(h, mesh), 3));
-      h = (i % 2 == 0 || is_border(opposite(next(h, mesh), mesh), mesh))
-          ? next(h, mesh)
-          : next(opposite(next(h, mesh), mesh), mesh);
+      edges.push_back(edge(g, mesh));
+      twice.push_back(edge_source({edges.back(), edges.back()}));
+      along.push_back(locations.at_vertex(target(g, mesh), 3));
+      g = next(g, mesh);
+      if (i % 2 != 0 && !is_border(opposite(g, mesh), mesh)) g = next(opposite(g, mesh), mesh);
     }
-    const std::vector<double> expected = distances(mesh, [&](Geodesic& g) { g.add_source_edges(edges); });
-    check_same(name + ": edges and the polyline along them", mesh,
-               distances(mesh, [&](Geodesic& g) { g.add_source_polyline(along); }), expected);
-    check_same(name + ": edges twice, one source each", mesh,
-               distances(mesh,
-                         [&](Geodesic& g) {
-                           for (Edge_index e : edges) g.add_source_edges(std::vector<Edge_index>{e, e});
-                         }),
-               expected);
-    Report::instance().set_context(name + ": vertices of source edges");
-    for (Edge_index e : edges)
-      CHECK(expected[source(halfedge(e, mesh), mesh)] == 0 && expected[target(halfedge(e, mesh), mesh)] == 0);
+    const std::vector<double> from_edges = of({edge_source(edges)});
+    same("edges and the polyline along them", from_edges, {polyline_source(along)});
+    same("edges twice, one source each", from_edges, twice);
+    for (Edge_index e : edges) CHECK(from_edges[mesh.vertex(e, 0)] == 0 && from_edges[mesh.vertex(e, 1)] == 0);
   }
 }
 
@@ -246,7 +174,7 @@ void boundary_sources()
     std::vector<Edge_index> border;
     for (Edge_index e : edges(data.mesh))
       if (is_border(e, data.mesh)) border.push_back(e);
-    const std::vector<double> actual = distances(data.mesh, [&](Geodesic& g) { g.add_source_edges(border); });
+    const std::vector<double> actual = distances(data.mesh, {edge_source(border)});
     Report::instance().set_context("all boundary edges, seed " + std::to_string(seed));
     Worst_error worst(1e-12, 2);
     for (std::size_t i = 0; i < actual.size(); ++i)
@@ -261,8 +189,8 @@ void removal()
 {
   const Data data(rotated(random_rectangle(2, 1, 150, 8, 5), 5));
   const Vertex_index u = data.vertices[10], v = data.vertices[100];
-  const std::vector<double> from_u = distances(data.mesh, [&](Geodesic& g) { g.add_source_point(u); });
-  const std::vector<double> from_v = distances(data.mesh, [&](Geodesic& g) { g.add_source_point(v); });
+  const std::vector<double> from_u = distances(data.mesh, {point_source(u)});
+  const std::vector<double> from_v = distances(data.mesh, {point_source(v)});
 
   Geodesic geodesic(data.mesh);
   CHECK(geodesic.number_of_sources() == 0 && !geodesic.is_built());
@@ -271,9 +199,7 @@ void removal()
   CHECK(first != second && geodesic.number_of_sources() == 2);
   const auto all = [&]() {
     geodesic.build();
-    std::vector<double> result;
-    for (Vertex_index w : vertices(data.mesh)) result.push_back(geodesic.distance_to_sources(w));
-    return result;
+    return vertex_distances(geodesic, data.mesh);
   };
   check_same("both sources", data.mesh, all(), minimum(from_u, from_v));
   CHECK(geodesic.is_built());
@@ -340,35 +266,6 @@ void distance_limit()
     const double actual = geodesic.distance_to_sources(l);
     CHECK_DETAIL(exact <= 5 ? std::abs(actual - exact) < 1e-12 * exact : std::isinf(actual), values(actual, exact));
   }
-}
-
-// Two components and isolated vertices.
-void unreachable()
-{
-  Soup soup = icosphere(1);
-  const std::size_t sphere = soup.points.size();
-  const Soup torus = test::torus(12, 8, 5, 1);
-  for (const auto& t : torus.triangles) soup.add_triangle({{t[0] + sphere, t[1] + sphere, t[2] + sphere}});
-  soup.points.insert(soup.points.end(), torus.points.begin(), torus.points.end());
-  const std::size_t both = soup.points.size();
-  soup.points.push_back(Point_3(0, 0, 0));
-  soup.points.push_back(Point_3(9, 9, 9));
-  const Data data(soup);
-  Report::instance().set_context("two components and isolated vertices");
-  Geodesic geodesic(data.mesh);
-  geodesic.add_source_point(data.vertices[3]);
-  geodesic.build(CGAL::parameters::keep_windows(true));
-  for (std::size_t i = 0; i < data.vertices.size(); ++i)
-    CHECK(std::isfinite(geodesic.distance_to_sources(data.vertices[i])) == (i < sphere));
-  for (std::size_t i = 0; i < data.faces.size(); i += 7)
-  {
-    const bool on_sphere = soup.triangles[i][0] < sphere;
-    CHECK(std::isfinite(geodesic.distance_to_sources(Face_location(data.faces[i], {{0.25, 0.5, 0.25}}))) == on_sphere);
-  }
-  geodesic.add_source_point(data.vertices[both - 1]);
-  geodesic.build();
-  for (std::size_t i = 0; i < data.vertices.size(); ++i)
-    CHECK(std::isfinite(geodesic.distance_to_sources(data.vertices[i])) == (i < both));
 }
 
 // Invalid arguments are rejected, and leave the object usable.
@@ -451,26 +348,15 @@ void scales()
 {
   Report::instance().set_context("scales");
   const Data data(rotated(random_rectangle(2, 1, 60, 5, 3), 3));
-  std::vector<test::Surface_mesh::Edge_index> edges;
-  for (const auto e : data.mesh.edges())
-    if (edges.size() < 3 && std::size_t(e) % 17 == 5) edges.push_back(e);
-  Geodesic expected(data.mesh);
-  expected.add_source_edges(edges);
-  expected.build();
-  for (const int exponent : {-250, -100, -40, 40, 48, 60, 100, 250})
+  const Source edges = edge_source({Edge_index(5), Edge_index(22), Edge_index(39)});
+  const std::vector<double> expected = distances(data.mesh, {edges});
+  for (const int exponent : {-250, -100, 48, 60, 100, 250})
   {
     test::Surface_mesh scaled = data.mesh;
     const double scale = std::ldexp(1., exponent);
     for (const auto v : scaled.vertices()) scaled.point(v) = CGAL::ORIGIN + scale * (scaled.point(v) - CGAL::ORIGIN);
-    Geodesic geodesic(scaled);
-    geodesic.add_source_edges(edges);
-    geodesic.build();
-    for (const auto v : data.vertices)
-    {
-      CHECK(geodesic.distance_to_sources(v) == scale * expected.distance_to_sources(v));
-      CHECK(std::abs((geodesic.gradient(v).value_or(CGAL::NULL_VECTOR) - expected.gradient(v).value_or(CGAL::NULL_VECTOR))
-                       .squared_length()) < 1e-24);
-    }
+    const std::vector<double> actual = distances(scaled, {edges});
+    for (std::size_t i = 0; i < expected.size(); ++i) CHECK(actual[i] == scale * expected[i]);
   }
   for (const int exponent : {-500, -270, 270, 400})
   {
@@ -647,9 +533,7 @@ void sharp_edges()
   CHECK(!geodesic.add_source_sharp_edges(91) && geodesic.number_of_sources() == 0);
   CHECK(geodesic.add_source_sharp_edges(60) == std::size_t(0) && geodesic.number_of_sources() == 1);
   geodesic.build(CGAL::parameters::keep_windows(true));
-  Geodesic by_edges(box.mesh);
-  by_edges.add_source_edges(edges_of(box.mesh, 60));
-  by_edges.build();
+  const Geodesic by_edges = built(box.mesh, {edge_source(edges_of(box.mesh, 60))}, false);
   for (Vertex_index v : box.vertices) CHECK(geodesic.distance_to_sources(v) == by_edges.distance_to_sources(v));
   CHECK(std::abs(geodesic.largest_distance().value() - 0.5) < 1e-14);
 
@@ -662,22 +546,20 @@ void sharp_edges()
   CHECK(geodesic.number_of_sources() == 1);
 }
 
-void run_guarded(void (*test)())
-{
-  try
-  {
-    test();
-  }
-  catch (const std::exception& e)
-  {
-    CHECK_DETAIL(!"an exception was thrown", e.what());
-  }
-}
-
 } // namespace test_source_kinds
 
 GEODESIC_OFFSET_TEST(test_source_kinds)
 {
+  std::vector<std::pair<std::string, std::function<void()>>> tests = {
+    {"boundary sources", boundary_sources},
+    {"removal", removal},
+    {"distance limit", distance_limit},
+    {"bad arguments", bad_arguments},
+    {"two names", points_with_two_names},
+    {"scales", scales},
+    {"sets of points", sets_of_points},
+    {"boundaries", boundaries},
+    {"sharp edges", sharp_edges}};
   const std::pair<const char*, Soup> meshes[] = {
     {"rectangle", rotated(random_rectangle(2, 1, 120, 8, 1), 1)},
     {"grid", planar_grid(10, 8, Diagonals::alternating)},
@@ -687,19 +569,6 @@ GEODESIC_OFFSET_TEST(test_source_kinds)
     {"genus 5", marching_genus_5(8)},
     {"L", l_shape(50, 4, 4)}};
   for (const auto& mesh : meshes)
-  {
-    const Data data(mesh.second);
-    for (void (*body)(const std::string&, const test::Surface_mesh&, unsigned) : {&points, &polylines, &edge_sets}) try
-      {
-        body(mesh.first, data.mesh, 17);
-      }
-      catch (const std::exception& e)
-      {
-        CHECK_DETAIL(!"an exception was thrown", e.what());
-      }
-  }
-  for (void (*body)() : {&boundary_sources, &removal, &distance_limit, &unreachable, &bad_arguments, &points_with_two_names,
-                         &scales, &sets_of_points, &boundaries, &sharp_edges})
-    run_guarded(body);
-  return Report::instance().finish("test_source_kinds");
+    tests.emplace_back(mesh.first, [&mesh] { descriptions(mesh.first, Data(mesh.second).mesh, 17); });
+  return run_tests("test_source_kinds", tests);
 }

@@ -4,9 +4,7 @@
 // All const queries from several threads on one object, against the results of one thread. Built with and without
 // ThreadSanitizer.
 
-#include "generated_meshes.h"
-#include "path_tools.h"
-#include "plane_section.h"
+#include "query_cases.h"
 
 #include <map>
 #include <string>
@@ -90,14 +88,23 @@ std::vector<Answers> ask_all(const Geodesic& geodesic, const test::Surface_mesh&
       for (std::size_t k = 0; k < used.size(); k += 5) ask(geodesic, used[k], answers);
       break;
     case 2:
-      for (const Offset_curve& curve : offsets(geodesic, std::vector<double>{0.21, 0.4}))
-      {
-        answers.push_back(curve.length());
-        add(answers, curve.point(0.3 * curve.length()));
-      }
+      for (const CGAL::Offset_side side : {CGAL::Offset_side::BOTH, CGAL::Offset_side::LEFT})
+        for (const Offset_curve& curve : offsets(geodesic, std::vector<double>{0.21, 0.4}, side))
+        {
+          std::vector<Point_3> chords;
+          curve.points(1e-2, std::back_inserter(chords));
+          for (const Point_3& p : chords) add(answers, p);
+          for (const Offset_piece& piece : curve.pieces()) answers.push_back(piece.length());
+        }
       break;
     case 3:
-      for (const Face_location& l : points) add(answers, locations.point(geodesic.locate(locations.point(l))));
+      for (const Face_location& l : points)
+      {
+        const Point_3 p = locations.point(l);
+        add(answers, geodesic.locate(p));
+        add(answers, geodesic.locate(p + Vector_3(0.1, 0, 0), CGAL::parameters::snapping_tolerance(0.1)));
+        if (const auto hit = geodesic.locate(Geodesic::Ray_3(p, Point_3(-1, -2, -3)))) add(answers, *hit);
+      }
       break;
     case 4:
       if (keep)
@@ -123,35 +130,27 @@ std::vector<Answers> ask_all(const Geodesic& geodesic, const test::Surface_mesh&
   return result;
 }
 
-void run(const std::string& name, const test::Surface_mesh& mesh, bool keep)
+void run(const Query_case& c, bool keep)
 {
-  Report::instance().set_context(name + (keep ? ", with windows" : ", without windows"));
+  c.set_context(keep ? "with windows" : "without windows");
   Random random(5);
-  const Mesh_locations locations(mesh);
-  // Two equal objects: the threads are the first to query one of them.
-  Geodesic alone(mesh), shared(mesh);
-  const Face_location point = random_location(locations, mesh, random, 0);
-  const auto sections = random_plane_section(mesh, 3);
-  for (Geodesic* g : {&alone, &shared})
-  {
-    g->add_source_point(point);
-    for (const auto& s : sections) g->add_source_polyline(s.locations, CGAL::parameters::is_closed(s.closed));
-    g->build(CGAL::parameters::keep_windows(keep));
-  }
-  Path_locations points;
-  for (std::size_t i = 0; i < 60; ++i) points.push_back(random_location(locations, mesh, random, i % 3));
+  const Face_location point = c.random_points(random, 1).front();
+  Source_set sources = c.section(3);
+  sources.add(point_source(point));
+  // Two equal objects: the threads are the first to query one of them, half of them a copy.
+  const Geodesic alone = built(c.mesh, sources, keep), shared = built(c.mesh, sources, keep), copy(shared);
+  const Path_locations points = c.random_points(random, 60);
 
   // two threads are the first to locate points: initially without a tree, which is built meanwhile
   const std::size_t turns[] = {0, 3, 3, 4}, number = 4;
   std::vector<std::vector<Answers>> answers(number);
   std::vector<std::thread> threads;
   std::vector<std::string> failures(number);
-  const Geodesic& asked = shared;
   for (std::size_t t = 0; t < number; ++t)
     threads.emplace_back([&, t] {
       try
       {
-        answers[t] = ask_all(asked, mesh, points, keep, turns[t]);
+        answers[t] = ask_all(t % 2 == 0 ? shared : copy, c.mesh, points, keep, turns[t]);
       }
       catch (const std::exception& e)
       {
@@ -159,7 +158,7 @@ void run(const std::string& name, const test::Surface_mesh& mesh, bool keep)
       }
     });
   for (std::thread& t : threads) t.join();
-  const std::vector<Answers> expected = ask_all(alone, mesh, points, keep, 0);
+  const std::vector<Answers> expected = ask_all(alone, c.mesh, points, keep, 0);
   std::size_t count = 0;
   for (const Answers& a : expected) count += a.size();
   CHECK(count > 1000);
@@ -176,19 +175,8 @@ void run(const std::string& name, const test::Surface_mesh& mesh, bool keep)
 
 GEODESIC_OFFSET_TEST(test_thread_safety)
 {
-  const std::pair<const char*, Soup> meshes[] = {
-    {"torus", torus(30, 20)}, {"genus 5", marching_genus_5(10)}, {"grid", planar_grid(15, 15)}};
-  for (const auto& mesh : meshes)
-  {
-    const Generated_mesh<test::Surface_mesh> data(rotated(mesh.second, 3));
-    for (const bool keep : {true, false}) try
-      {
-        run(mesh.first, data.mesh, keep);
-      }
-      catch (const std::exception& e)
-      {
-        CHECK_DETAIL(!"an exception was thrown", e.what());
-      }
-  }
+  for_each_mesh({"torus", "genus 5", "grid"}, {}, [](const Query_case& c) {
+    for (const bool keep : {true, false}) run(c, keep);
+  });
   return Report::instance().finish("test_thread_safety");
 }
