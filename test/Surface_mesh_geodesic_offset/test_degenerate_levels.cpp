@@ -4,6 +4,7 @@
 // Levels through vertices, along edges, through maxima and saddles of the distance, beyond it, and invalid levels. A level
 // bounds the points that are strictly nearer. Most coordinates are multiples of 1/8, so ties are exact.
 
+#include "known_cases.h"
 #include "level_check.h"
 
 #include <string>
@@ -217,65 +218,18 @@ void maxima()
 
 // A vertex whose distance is the level of cutting up to rounding: the loop around it has a length of 1e-16, and the sign of its
 // area is rounding (found by fuzz_offsets).
-void loop_of_no_length()
+void loops_of_no_length()
 {
-  Report::instance().set_context("a loop of no length");
-  Soup soup;
-  soup.points = {Point_3(0.85459625715664111, 0.48961079763599757, 0.082817991654030101),
-                 Point_3(0.74293586867707939, 0.37604553983712274, 0.1791003706979194),
-                 Point_3(2.0769866616424384, 0.31243695283002076, -0.10447725916641061),
-                 Point_3(1.9069271087835697, -0.1266585680891979, 0.015638252960078928),
-                 Point_3(-0.1818180394780427, 0.29095576560230474, -0.12257133273196981),
-                 Point_3(0.11328554534055844, 0.093383690615230178, 0.17985715046900569),
-                 Point_3(0.55892313522386594, -0.14255317657701472, 0.0051118501830388838),
-                 Point_3(0.044588462981084119, 0.8005002414629625, 0.11723486090610373),
-                 Point_3(0.10689101751613582, 1.0376091989496485, 0.013958002711501568),
-                 Point_3(1.844238403240998, 1.1195207461229482, 0.022027086815492796),
-                 Point_3(0.94201841966585032, 0.98255271106578301, -0.018635343884693123),
-                 Point_3(2.0854687878986651, 0.43892048459079552, 0.038474281504684418),
-                 Point_3(1.1177671692717377, 1.0829337376793959, 0.00015126356655764146)};
-  for (const auto& t : std::vector<std::array<std::size_t, 3>>{
-         {0, 1, 2},
-         {2, 1, 3},
-         {4, 5, 6},
-         {7, 8, 4},
-         {9, 10, 0},
-         {1, 4, 6},
-         {9, 0, 11},
-         {12, 8, 7},
-         {3, 1, 6},
-         {12, 10, 8},
-         {1, 7, 4},
-         {1, 0, 7},
-         {11, 2, 3},
-         {11, 0, 2},
-         {0, 12, 7},
-         {0, 10, 12}})
-    soup.add_triangle(t);
-  const Data data(soup);
-  const Locations<test::Surface_mesh> locations(data.mesh);
-  const auto add_path = [&](Geodesic& g, const std::vector<std::size_t>& path) {
-    std::vector<Face_location> points;
-    for (std::size_t i : path) points.push_back(locations.at_vertex(data.vertices[i]));
-    g.add_source_polyline(points);
-  };
-  for (const std::vector<std::size_t>& triangle : {std::vector<std::size_t>{1, 7, 0, 1}, {7, 1, 0, 7}})
+  for (const Known_case& c : known_cases("loops_of_no_length.txt"))
   {
-    Geodesic geodesic(data.mesh);
-    geodesic.add_source_point(data.vertices[8]);
-    add_path(geodesic, {11, 2, 0});
-    add_path(geodesic, triangle);
-    geodesic.build(CGAL::parameters::keep_windows(true));
-    const double d = geodesic.distance_to_sources(data.vertices[12]);
-    CHECK_DETAIL(std::abs(d - 0.65431248505429129) <= 1e-15, values(d, 0.65431248505429129));
+    Report::instance().set_context(c.name);
+    const Geodesic geodesic = built(c.mesh, c.sources);
+    const double d = geodesic.distance_to_sources(Surface_mesh::Vertex_index(unsigned(c.numbers.at(0))));
+    CHECK_DETAIL(std::abs(d - c.numbers.at(1)) <= 1e-15, values(d, c.numbers[1]));
     std::vector<double> levels = {0.65431248505444006, d, level_cut_at(d)};
     for (int i = -8; i <= 8; ++i) levels.push_back(level_cut_at(d) * (1 + i * 0x1p-53));
     for (const double level : levels)
-    {
-      Offset_curves curves;
-      geodesic.offset_curves(std::vector<double>{level}, std::back_inserter(curves));
-      for (const auto& curve : curves) CHECK_DETAIL(curve.length() > 1e-13, values(curve.length(), level));
-    }
+      for (const auto& curve : offsets(geodesic, level)) CHECK_DETAIL(curve.length() > 1e-13, values(curve.length(), level));
   }
 }
 
@@ -418,87 +372,6 @@ void cusps()
     }
 }
 
-// A polyline beside or along an edge, and levels around its start value: up to it only the other source has an offset, and
-// above it the whole polyline has one.
-struct Polyline_beside_edge
-{
-  std::string name;
-  std::vector<Point_3> points;
-  std::vector<std::array<std::size_t, 3>> triangles;
-  std::vector<std::pair<std::size_t, std::array<double, 3>>> locations; // weights at the corners of a triangle
-  bool is_closed;
-  double start_value;
-  std::vector<std::pair<std::size_t, std::array<double, 3>>> other; // a point or an open polyline with the start value zero
-  double longest_edge;
-  double length; // of the offset just above the start value, with that of the other source; 0: at least ten times the other
-};
-
-std::vector<Polyline_beside_edge> polylines_beside_edges()
-{
-  return {
-    {"a polyline of two faces, beside an open one",
-     {Point_3(0.20907604079763786, -0.34798226084981743, 0.48632744523725424),
-      Point_3(0.08536420182538873, -0.34185622767539681, -0.018239178699788972),
-      Point_3(0.39675057196141561, -0.08286983013374094, -0.3768906817715908),
-      Point_3(-0.27367497854813028, -0.055376735950953604, 0.03621265048996325)},
-     {{{0, 1, 2}}, {{0, 3, 1}}},
-     {{0, {{0.63670602937615328, 0.36329397062384666, 0}}},
-      {1, {{0, 0.42858238196695309, 0.57141761803304691}}},
-      {1, {{4.0181076495437861e-08, 1.7641731638997589e-08, 0.9999999421771919}}}},
-     true,
-     0.027619979867917595,
-     {{1, {{0.0068410850347314029, 0.98838362476569508, 0.0047752901995735987}}},
-      {1, {{0.82107207194839171, 0, 0.17892792805160829}}}},
-     0.92,
-     2.9185},
-    {"a triangle whose points are next to corners",
-     {Point_3(0, 0, 0), Point_3(-10.987211283816537, 2.3316559259583265, -2.9217045686756746),
-      Point_3(-9.9544515609931299, -7.8134669150302658, 9.7907421625501758)},
-     {{{1, 2, 0}}},
-     {{0, {{0.37643159666888648, 0.62356840333111352, 0}}},
-      {0, {{1.1281889470044597e-07, 0, 0.99999988718110544}}},
-      {0, {{1, 0, 0}}},
-      {0, {{0.84886120451713487, 0.15113879547735207, 5.5131567096654435e-12}}}},
-     true,
-     2.7314748981168613,
-     {{0, {{0, 0, 1}}}},
-     16.3,
-     0},
-    {"a segment to a corner",
-     {Point_3(128, 63.892851023244511, 0), Point_3(64.046682816293512, 128.10730856436376, 0),
-      Point_3(128, 127.97045332107112, 0)},
-     {{{1, 0, 2}}},
-     {{0, {{0.47225331472336285, 0.52774668369732072, 1.5793163146290973e-09}}}, {0, {{1, 0, 0}}}},
-     false,
-     9.0937833181877323,
-     {},
-     90.6,
-     95.63},
-    {"a segment in a face, from next to a corner to an edge",
-     {Point_3(2, 1, 0), Point_3(3, 0, 0), Point_3(3, 1, 0)},
-     {{{0, 1, 2}}},
-     {{0, {{2.2391348888180339e-08, 1.1248122156895114e-08, 0.99999996636052901}}},
-      {0, {{0.66666666666666663, 0, 0.33333333333333331}}}},
-     false,
-     0.19679319962937825,
-     {},
-     1.4143,
-     1.3333},
-    {"a polyline that crosses itself",
-     {Point_3(1.3093618154525757, 0.96459037065505981, 0), Point_3(0.98100882768630981, 1.6422297954559326, 0),
-      Point_3(0.41154050827026367, 0.97518229484558105, 0)},
-     {{{0, 1, 2}}},
-     {{0, {{0.84614034909710256, 0, 0.15385965090289744}}},
-      {0, {{0.2553802498573492, 0.48700338181249481, 0.257616368330156}}},
-      {0, {{0.31407179018064402, 0.12544660084539047, 0.56048160896396537}}},
-      {0, {{0.85247870134950843, 0.138233695775934, 0.0092876028745575816}}}},
-     false,
-     0.00058034769107321779,
-     {},
-     0.9,
-     2.38735}};
-}
-
 // A strip over source edges, a corner of which is beyond the end of these edges. The level is that of the end of the opposite
 // edge up to rounding, but passes before the corner, which is farther.
 void corner_beyond_an_end()
@@ -537,141 +410,66 @@ void corner_beyond_an_end()
         }
 }
 
+// The curves of a level, from kept windows or cut during a build; all of their points are on the level, up to a tolerance.
+Offset_curves curves_on_level(const Geodesic& geodesic, double level, bool is_one_pass, double tolerance)
+{
+  Offset_curves curves;
+  if (is_one_pass)
+  {
+    Geodesic again(geodesic);
+    again.build_with_offset_curves(level, std::back_inserter(curves));
+    CHECK(again.statistics().forced_joints == 0);
+  }
+  else curves = offsets(geodesic, level);
+  for (const Offset_curve& c : curves)
+    for (const Offset_piece& piece : c.pieces())
+      for (double t : {0.1, 0.5, 0.9})
+      {
+        const double d = geodesic.distance_to_sources(piece.location(t));
+        CHECK_DETAIL(std::abs(d - level) <= tolerance, values(d, level) + ", length " + std::to_string(piece.length()));
+      }
+  return curves;
+}
+
+// A polyline beside or along an edge, and levels around its start value: up to it only the other source has an offset, and
+// above it the whole polyline has one.
 void levels_at_start_values()
 {
-  for (const Polyline_beside_edge& p : polylines_beside_edges())
+  for (const Known_case& c : known_cases("start_value_cases.txt"))
   {
-    Soup soup;
-    soup.points = p.points;
-    for (const auto& t : p.triangles) soup.add_triangle(t);
-    const Data data(soup);
-    const Locations<test::Surface_mesh> on_mesh(data.mesh);
-    const auto add = [&](Geodesic& g, const auto& places, bool closed, double start_value) {
-      std::vector<Face_location> locations;
-      for (const auto& l : places) locations.push_back(on_mesh.in_triangle(data, soup, l.first, l.second));
-      if (locations.size() == 1) g.add_source_point(locations[0], CGAL::parameters::start_value(start_value));
-      else if (!locations.empty())
-        g.add_source_polyline(locations, CGAL::parameters::start_value(start_value).is_closed(closed));
-    };
-    Geodesic both(data.mesh), other(data.mesh);
-    add(other, p.other, false, 0);
-    add(both, p.other, false, 0);
-    add(both, p.locations, p.is_closed, p.start_value);
-    both.build(CGAL::parameters::keep_windows(true));
-    if (!p.other.empty()) other.build(CGAL::parameters::keep_windows(true));
-    const double unit = 0x1p-42 * (p.start_value + p.longest_edge); // the least offset
+    const double start_value = c.sources.back().start_value, longest_edge = c.numbers.at(0), expected = c.numbers.at(1);
+    const std::vector<Source> others(c.sources.begin(), c.sources.end() - 1);
+    const Geodesic both = built(c.mesh, c.sources), other = built(c.mesh, others);
+    const double unit = 0x1p-42 * (start_value + longest_edge); // the least offset
     for (double step : {-1e3, -4., -2., -1., -0.5, 0., 0.001, 0.1, 0.25, 0.5, 0.75, 1., 1.5, 2., 3., 4., 16.})
       for (const bool is_one_pass : {false, true})
       {
-        const double level = p.start_value + step * unit;
+        const double level = start_value + step * unit;
         if (!(level > 0)) continue;
-        Report::instance().set_context(p.name + ", start value plus " + std::to_string(step) + " units");
-        Offset_curves curves;
-        if (is_one_pass)
-        {
-          Geodesic again(both);
-          again.build_with_offset_curves(level, std::back_inserter(curves));
-          CHECK(again.statistics().forced_joints == 0);
-        }
-        else curves = offsets(both, level);
-        for (const Offset_curve& c : curves)
-          for (const Offset_piece& piece : c.pieces())
-            for (double t : {0.1, 0.5, 0.9})
-            {
-              const double d = both.distance_to_sources(piece.location(t));
-              CHECK_DETAIL(std::abs(d - level) <= 4 * unit, values(d, level));
-            }
+        Report::instance().set_context(c.name + ", start value plus " + std::to_string(step) + " units");
+        const Offset_curves curves = curves_on_level(both, level, is_one_pass, 4 * unit);
         // Just above the start value, either is right: only rounding decides which of them is found.
         const double length = total_length(curves);
-        const double length_of_other = p.other.empty() ? 0 : total_length(offsets(other, level));
-        const bool is_other = std::abs(length - length_of_other) <= 1e-9 * p.longest_edge;
-        const bool is_both = p.length == 0 ? length > 10 * length_of_other : std::abs(length - p.length) <= 5e-3 * p.length;
+        const double length_of_other = others.empty() ? 0 : total_length(offsets(other, level));
+        const bool is_other = std::abs(length - length_of_other) <= 1e-9 * longest_edge;
+        const bool is_both = expected == 0 ? length > 10 * length_of_other : std::abs(length - expected) <= 5e-3 * expected;
         CHECK_DETAIL(step <= 0 ? is_other : step >= 3 ? is_both : is_other || is_both, values(length, length_of_other));
       }
   }
-}
-
-// A mesh, and polylines as weights at the corners of its triangles.
-struct Narrow_offset
-{
-  std::string name;
-  std::vector<Point_3> points;
-  std::vector<std::array<std::size_t, 3>> triangles;
-  std::vector<std::vector<std::pair<std::size_t, std::array<double, 3>>>> polylines;
-  double longest_edge;
-};
-
-std::vector<Narrow_offset> narrow_offsets()
-{
-  return {
-    // The source begins 6e-10 beside a corner, and the rays between it and the corner's edge are a fan narrower than rounding.
-    {"a polyline from edge to edge, along a third one",
-     {Point_3(1, 1, 0), Point_3(1, 0, 0), Point_3(0, 1, 0)},
-     {{{0, 1, 2}}},
-     {{{0, {{0.99999999933976946, 2.2807176901336884e-11, 6.3742336506920767e-10}}},
-       {0, {{0, 6.422803757549e-13, 0.99999999999935762}}},
-       {0, {{0, 0.83388864614077463, 0.16611135385922537}}}}},
-     1.42},
-    {"two polylines that go forth and back between nearly the same lines",
-     {Point_3(0.055941641330718994, 0.7104767560958862, 0), Point_3(0.40698325634002686, 0.17486536502838135, 0),
-      Point_3(0.47953885793685913, 0.9924541115760803, 0), Point_3(0.6374537348747253, 0.6326785087585449, 0),
-      Point_3(0.7197228670120239, 0.8325247764587402, 0), Point_3(0.9421911835670471, 0.02291698195040226, 0)},
-     {{{2, 0, 1}}, {{3, 2, 1}}, {{4, 2, 3}}, {{5, 3, 1}}, {{5, 4, 3}}},
-     {{{1, {{7.2103245663207259e-14, 3.0444953150864244e-13, 0.99999999999962352}}},
-       {0, {{0.37080562222589203, 2.9825076918644239e-13, 0.62919437777380971}}},
-       {0, {{0, 3.3264595992919206e-12, 0.99999999999667355}}},
-       {0, {{0.038051749179784267, 0, 0.96194825082021573}}},
-       {0, {{0.5, 0.5, 0}}},
-       {0, {{0.26629487223945314, 0.72562793176302187, 0.0080771959975250926}}}},
-      {{1, {{7.2103245663207259e-14, 2.8859970558378102e-13, 0.9999999999996394}}},
-       {0, {{0.37080562222589203, 2.9825076918644239e-13, 0.62919437777380971}}},
-       {0, {{0, 3.3254224721192595e-12, 0.99999999999667455}}},
-       {0, {{0.038051749179784267, 0, 0.96194825082021573}}},
-       {0, {{0.5, 0.49999999999999978, 2.0593788895828187e-16}}},
-       {0, {{0.26629487223945192, 0.72562793176302309, 0.0080771959975250926}}}}},
-     0.84}};
 }
 
 // Levels a few times the least offset above the distance zero: the two sides of the offset are nearer to each other than the
 // largest ties. All points of the curves are on the level nevertheless.
 void sides_near_each_other()
 {
-  for (const Narrow_offset& n : narrow_offsets())
+  for (const Known_case& c : known_cases("narrow_offsets.txt"))
   {
-    Soup soup;
-    soup.points = n.points;
-    for (const auto& t : n.triangles) soup.add_triangle(t);
-    const Data data(soup);
-    const Locations<test::Surface_mesh> on_mesh(data.mesh);
-    Geodesic geodesic(data.mesh);
-    for (const auto& polyline : n.polylines)
-    {
-      std::vector<Face_location> locations;
-      for (const auto& l : polyline) locations.push_back(on_mesh.in_triangle(data, soup, l.first, l.second));
-      geodesic.add_source_polyline(locations);
-    }
-    geodesic.build(CGAL::parameters::keep_windows(true));
-    for (double level = 0x1p-41 * n.longest_edge; level < 1e-11; level *= 1.01)
+    const Geodesic geodesic = built(c.mesh, c.sources);
+    for (double level = 0x1p-41 * c.numbers.at(0); level < 1e-11; level *= 1.01)
       for (const bool is_one_pass : {false, true})
       {
-        Report::instance().set_context(n.name + ", level " + std::to_string(1e15 * level) + "e-15");
-        Offset_curves curves;
-        if (is_one_pass)
-        {
-          Geodesic again(geodesic);
-          again.build_with_offset_curves(level, std::back_inserter(curves));
-          CHECK(again.statistics().forced_joints == 0);
-        }
-        else curves = offsets(geodesic, level);
-        CHECK(!curves.empty());
-        for (const Offset_curve& c : curves)
-          for (const Offset_piece& piece : c.pieces())
-            for (double t : {0.1, 0.5, 0.9})
-            {
-              const double d = geodesic.distance_to_sources(piece.location(t));
-              CHECK_DETAIL(std::abs(d - level) <= 0.25 * level,
-                           values(d, level) + ", length " + std::to_string(piece.length()));
-            }
+        Report::instance().set_context(c.name + ", level " + std::to_string(1e15 * level) + "e-15");
+        CHECK(!curves_on_level(geodesic, level, is_one_pass, 0.25 * level).empty());
       }
   }
 }
@@ -782,7 +580,7 @@ GEODESIC_OFFSET_TEST(test_degenerate_levels)
   saddles();
   touching_fronts();
   maxima();
-  loop_of_no_length();
+  loops_of_no_length();
   saddle_vertex();
   points_beside_edges();
   corners_beside_edges();

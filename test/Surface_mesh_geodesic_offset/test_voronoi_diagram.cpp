@@ -7,6 +7,7 @@
 #include "data_meshes.h"
 #include "generated_meshes.h"
 #include "geodesic_types.h"
+#include "known_cases.h"
 #include "locations.h"
 #include "offset_tools.h"
 #include "test_check.h"
@@ -21,8 +22,6 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
-#include <functional>
 #include <iostream>
 #include <set>
 #include <string>
@@ -39,7 +38,6 @@ typedef Surface_mesh::Face_index Face_index;
 typedef Surface_mesh::Edge_index Edge_index;
 typedef Surface_mesh::Vertex_index Vertex_index;
 typedef Geodesic::Face_location Location;
-typedef std::function<void(Geodesic&)> Add_source;
 
 struct Totals
 {
@@ -50,12 +48,10 @@ Totals totals;
 
 double distance_between(const Point_3& p, const Point_3& q) { return std::sqrt((p - q).squared_length()); }
 
-Diagram diagram_of(const Surface_mesh& mesh, const std::vector<Add_source>& sources)
+Diagram diagram_of(const Surface_mesh& mesh, const std::vector<Source>& sources)
 {
-  Geodesic geodesic(mesh);
-  for (const Add_source& add : sources) add(geodesic);
   ++totals.diagrams;
-  const Diagram diagram = geodesic.build(CGAL::parameters::keep_windows(true)).voronoi_diagram();
+  const Diagram diagram = built(mesh, sources).field().voronoi_diagram();
   totals.curves += diagram.number_of_curves();
   totals.vertices += diagram.number_of_vertices();
   totals.forced += diagram.number_of_forced_cells();
@@ -108,7 +104,7 @@ void check_graph(const Surface_mesh& mesh, const Diagram& diagram, double tolera
 
 // Compares a diagram with the distances from each source alone, and splits the mesh along it. `has_narrow_cells`: cells may be
 // narrower than the snap distance of splits.
-void compare(const std::string& name, const Surface_mesh& mesh, const std::vector<Add_source>& sources, Random& random,
+void compare(const std::string& name, const Surface_mesh& mesh, const std::vector<Source>& sources, Random& random,
              std::size_t random_points, bool has_narrow_cells = false)
 {
   Report::instance().set_context(name);
@@ -194,9 +190,7 @@ void compare(const std::string& name, const Surface_mesh& mesh, const std::vecto
     of_label(centers.size(), infinity);
   for (std::size_t s = 0; s < sources.size(); ++s)
   {
-    Geodesic alone(mesh);
-    sources[s](alone);
-    const Field field = alone.build(CGAL::parameters::keep_windows(true));
+    const Field field = built(mesh, {sources[s]}).field();
     for (std::size_t i = 0; i < points.size() + centers.size(); ++i)
     {
       const bool is_center = i >= points.size();
@@ -242,12 +236,12 @@ void boxes()
       const Surface_mesh mesh =
         Generated_mesh<Surface_mesh>(is_grid ? cube_grid(n) : box_sides(1, 1, 1).triangulated(8 * n, n, 3)).mesh;
       const Geodesic::Mesh prepared(mesh);
-      std::vector<Add_source> sources;
+      std::vector<Source> sources;
       for (int k = 0; k < 3; ++k)
         for (const double x : {0., 1.})
         {
           const Location l = prepared.locate(Point_3(k == 0 ? x : 0.5, k == 1 ? x : 0.5, k == 2 ? x : 0.5));
-          sources.push_back([l](Geodesic& g) { g.add_source_point(l); });
+          sources.push_back(point_source(l));
         }
       const Diagram edges = diagram_of(mesh, sources);
       check_graph(mesh, edges, 1e-10);
@@ -315,11 +309,10 @@ void cones()
         if (turn >= CGAL_PI) return p.first + q.first;
         return std::sqrt((std::max)(0., p.first * p.first + q.first * q.first - 2 * p.first * q.first * std::cos(turn)));
       };
-      std::vector<Add_source> sources;
+      std::vector<Source> sources;
       if (points == 0)
       {
-        for (const Face_index f : data.faces)
-          sources.push_back([f](Geodesic& g) { g.add_source_point(Location(f, {1. / 3, 1. / 3, 1. / 3})); });
+        for (const Face_index f : data.faces) sources.push_back(point_source(Location(f, {1. / 3, 1. / 3, 1. / 3})));
         const Diagram legs = diagram_of(data.mesh, sources);
         check_graph(data.mesh, legs, 1e-10);
         CHECK(legs.number_of_curves() == 6 && legs.number_of_vertices() == 1);
@@ -340,9 +333,7 @@ void cones()
         const Location l = at(uniform(random, 0.3, 1.5), uniform(random, 0, angle / 2)),
                        m = at(uniform(random, 0.3, 1.5), uniform(random, angle / 2, angle));
         const double start = i < 2 ? 0 : uniform(random, 0, 0.2);
-        const Diagram diagram =
-          diagram_of(data.mesh, {[&](Geodesic& g) { g.add_source_point(l); },
-                                 [&](Geodesic& g) { g.add_source_point(m, CGAL::parameters::start_value(start)); }});
+        const Diagram diagram = diagram_of(data.mesh, {point_source(l), point_source(m, start)});
         check_graph(data.mesh, diagram, 1e-9);
         for (const auto& c : diagram.curves())
           for (const auto& p : c.pieces())
@@ -357,9 +348,9 @@ void cones()
     }
 }
 
-std::vector<Add_source> random_sources(const Surface_mesh& mesh, std::size_t number, int kind, Random& random)
+std::vector<Source> random_sources(const Surface_mesh& mesh, std::size_t number, int kind, Random& random)
 {
-  std::vector<Add_source> sources;
+  std::vector<Source> sources;
   const Locations<Surface_mesh> locations(mesh);
   const double spacing = std::sqrt(CGAL::Polygon_mesh_processing::area(mesh) / double(number));
   for (std::size_t i = 0; i < number; ++i)
@@ -369,13 +360,13 @@ std::vector<Add_source> random_sources(const Surface_mesh& mesh, std::size_t num
     while (mesh.is_isolated(v)) v = Vertex_index(Surface_mesh::size_type(uniform_index(random, mesh.number_of_vertices())));
     if (i % 3 == 0 && kind < 2)
     {
-      sources.push_back([=](Geodesic& g) { g.add_source_point(v, CGAL::parameters::start_value(start)); });
+      sources.push_back(point_source(v, start));
       continue;
     }
     if (i % 3 == 1 || kind < 2)
     {
       const Location l = random_location(mesh, random);
-      sources.push_back([=](Geodesic& g) { g.add_source_point(l, CGAL::parameters::start_value(start)); });
+      sources.push_back(point_source(l, start));
       continue;
     }
     std::vector<Vertex_index> path{v}; // along edges
@@ -387,7 +378,7 @@ std::vector<Add_source> random_sources(const Surface_mesh& mesh, std::size_t num
     }
     std::vector<Location> polyline;
     for (const Vertex_index w : path) polyline.push_back(locations.at_vertex(w));
-    sources.push_back([=](Geodesic& g) { g.add_source_polyline(polyline, CGAL::parameters::start_value(start)); });
+    sources.push_back(polyline_source(polyline, false, start));
   }
   return sources;
 }
@@ -411,13 +402,11 @@ void ties()
   const Surface_mesh mesh = Generated_mesh<Surface_mesh>(planar_grid(8, 8, Diagonals::alternating)).mesh;
   const Locations<Surface_mesh> locations(mesh);
   const auto vertex = [](std::size_t i, std::size_t j) { return Vertex_index(Surface_mesh::size_type(9 * j + i)); };
-  const auto point = [&](std::size_t i, std::size_t j) -> Add_source {
-    return [v = vertex(i, j)](Geodesic& g) { g.add_source_point(v); };
-  };
-  const auto polyline = [&](std::vector<std::pair<std::size_t, std::size_t>> at) -> Add_source {
+  const auto point = [&](std::size_t i, std::size_t j) -> Source { return point_source(vertex(i, j)); };
+  const auto polyline = [&](std::vector<std::pair<std::size_t, std::size_t>> at) -> Source {
     std::vector<Location> path;
     for (const auto& p : at) path.push_back(locations.at_vertex(vertex(p.first, p.second)));
-    return [path](Geodesic& g) { g.add_source_polyline(path); };
+    return polyline_source(path);
   };
   Random random(5);
   compare("two equal points", mesh, {point(2, 2), point(2, 2)}, random, 0);
@@ -464,13 +453,13 @@ void beside_vertices()
     {
       Random random(++seed);
       const Surface_mesh mesh = Generated_mesh<Surface_mesh>(soup).mesh;
-      std::vector<Add_source> sources;
+      std::vector<Source> sources;
       const std::size_t number = 2 + uniform_index(random, 6);
       for (std::size_t s = 0; s < number; ++s)
       {
         const Location l = uniform_index(random, 3) == 0 ? random_location(mesh, random) : location_beside_vertex(mesh, random);
         const double start = uniform_index(random, 3) == 0 ? uniform(random, 0, 0.3) : 0;
-        sources.push_back([=](Geodesic& g) { g.add_source_point(l, CGAL::parameters::start_value(start)); });
+        sources.push_back(point_source(l, start));
       }
       compare("beside vertices, seed " + std::to_string(seed), mesh, sources, random, 100, true);
     }
@@ -499,8 +488,7 @@ void curves_beside_vertices()
     const auto c = locations.corners(beside.first);
     for (std::size_t k = 0; k < 3; ++k)
       beside.second[k] = c[k] == center ? 1 - e : c[(k + 1) % 3] == center ? e * part : e * (1 - part);
-    const Diagram diagram =
-      diagram_of(fan, {[&](Geodesic& g) { g.add_source_point(center); }, [&](Geodesic& g) { g.add_source_point(beside); }});
+    const Diagram diagram = diagram_of(fan, {point_source(center), point_source(beside)});
     Surface_mesh split = fan;
     CGAL::split_along_geodesic_voronoi_diagram(split, diagram);
     CHECK(CGAL::is_valid_polygon_mesh(split) && CGAL::is_triangle_mesh(split));
@@ -539,12 +527,12 @@ void graded_grids()
         mesh.add_face(a, c, d);
       }
     // corners of the square, vertices of its border, and points
-    std::vector<Add_source> sources;
+    std::vector<Source> sources;
     const Vertex_index on_border = v[n * (n + 1) + uniform_index(random, n + 1)], corner = v[n];
     const Location l = random_location(mesh, random);
-    sources.push_back([=](Geodesic& g) { g.add_source_point(on_border); });
-    if (seed % 2 == 0) sources.push_back([=](Geodesic& g) { g.add_source_point(l); });
-    else sources.push_back([=](Geodesic& g) { g.add_source_point(corner); });
+    sources.push_back(point_source(on_border));
+    if (seed % 2 == 0) sources.push_back(point_source(l));
+    else sources.push_back(point_source(corner));
     compare("graded grid, seed " + std::to_string(seed), mesh, sources, random, 100, true);
   }
 }
@@ -563,8 +551,7 @@ void graded_strip()
     mesh.add_face(v[i], v[i + 3], v[i + 1]);
   }
   Random random(11);
-  compare("graded strip", mesh,
-          {[&](Geodesic& g) { g.add_source_point(v[1]); }, [&](Geodesic& g) { g.add_source_point(v[8]); }}, random, 100);
+  compare("graded strip", mesh, {point_source(v[1]), point_source(v[8])}, random, 100);
 }
 
 // Two sources within 1e-15 to 1e-12 of each other, among others: the curve between them is known up to a large angle only, but
@@ -581,13 +568,13 @@ void sources_beside_each_other()
     for (int exponent = 12; exponent <= 15; ++exponent)
       for (int repeat = 0; repeat < 5; ++repeat)
       {
-        std::vector<Add_source> sources;
+        std::vector<Source> sources;
         const Location first = random_location(mesh, random);
         Location second = first;
         second.second[0] += std::pow(10, -exponent);
         second.second[1] -= std::pow(10, -exponent) * uniform(random);
         for (const Location& l : {first, second, random_location(mesh, random), random_location(mesh, random)})
-          sources.push_back([l](Geodesic& g) { g.add_source_point(l); });
+          sources.push_back(point_source(l));
         compare("sources 1e-" + std::to_string(exponent) + " apart", mesh, sources, random, 100, true);
       }
   }
@@ -604,15 +591,6 @@ void coinciding_sources()
     result.second = {l.second[0] - x - y, l.second[1] + x, l.second[2] + y};
     return result;
   };
-  const auto sources_of = [](const std::vector<std::vector<Location>>& places) {
-    std::vector<Add_source> result;
-    for (const auto& place : places)
-      result.push_back([place](Geodesic& g) {
-        if (place.size() == 1) g.add_source_point(place.front());
-        else g.add_source_polyline(place);
-      });
-    return result;
-  };
   const auto has_cell = [](const Diagram& diagram, std::size_t source) {
     bool result = false;
     for (const auto& c : diagram.curves()) result = result || c.source_on_left() == source || c.source_on_right() == source;
@@ -621,15 +599,12 @@ void coinciding_sources()
   for (int i = 0; i < 60; ++i)
   {
     const Location first = random_location(mesh, random);
-    std::vector<std::vector<Location>> places = {{random_location(mesh, random)}, {random_location(mesh, random)}};
-    if (i % 2 == 0)
-      for (int k = 0; k < 3; ++k) places.push_back({k == 0 ? first : beside(first)});
-    else
-    {
-      Location end(first.first, {0.1, 0.2, 0.7});
-      for (int k = 0; k < 3; ++k) places.push_back({beside(first), beside(end)});
-    }
-    const std::vector<Add_source> sources = sources_of(places);
+    const Location end(first.first, {0.1, 0.2, 0.7});
+    std::vector<Source> sources;
+    for (int k = 0; k < 2; ++k) sources.push_back(point_source(random_location(mesh, random)));
+    for (int k = 0; k < 3; ++k)
+      if (i % 2 == 0) sources.push_back(point_source(k == 0 ? first : beside(first)));
+      else sources.push_back(polyline_source({beside(first), beside(end)}));
     compare("coinciding sources", mesh, sources, random, 50);
     const Diagram diagram = diagram_of(mesh, sources);
     CHECK(has_cell(diagram, 2) && !has_cell(diagram, 3) && !has_cell(diagram, 4));
@@ -652,15 +627,8 @@ void common_end_beside_edge()
   Random random(5);
   for (const double x : {1e-5, 1e-4, 1e-3})
     compare("common end beside an edge", mesh,
-            {[&](Geodesic& g) {
-               g.add_source_polyline(std::vector<Location>{end, Location(f, {0.696, 0, 0.304})});
-             },
-             [&](Geodesic& g) {
-               g.add_source_point(Location(f, {0.9999995, 2.5e-7, 2.5e-7}));
-             },
-             [&](Geodesic& g) {
-               g.add_source_polyline(std::vector<Location>{end, Location(f, {1 - 1.2 * x, x, 0.2 * x})});
-             }},
+            {polyline_source({end, Location(f, {0.696, 0, 0.304})}), point_source(Location(f, {0.9999995, 2.5e-7, 2.5e-7})),
+             polyline_source({end, Location(f, {1 - 1.2 * x, x, 0.2 * x})})},
             random, 100, true);
 }
 
@@ -691,13 +659,8 @@ void end_behind_edge()
                  slope = (i % 2 == 0 ? 1 : -1) * uniform(random, 0.4, 0.9), near = x + slope * uniform(random, 0.1, 0.2),
                  far = x - slope * uniform(random, 0, 0.1);
     compare("end behind an edge", mesh,
-            {[&](Geodesic& g) {
-               g.add_source_polyline(std::vector<Location>{at(lower, near, depth), at(lower, far, depth)});
-             },
-             [&](Geodesic& g) {
-               g.add_source_polyline(std::vector<Location>{at(upper, x + slope * y, y), at(lower, x, 0),
-                                                           at(lower, x - slope * 0.15, 0.15)});
-             }},
+            {polyline_source({at(lower, near, depth), at(lower, far, depth)}),
+             polyline_source({at(upper, x + slope * y, y), at(lower, x, 0), at(lower, x - slope * 0.15, 0.15)})},
             random, 20, true);
   }
 }
@@ -725,9 +688,7 @@ void end_beside_source()
                  x = i < 2 ? 0.74281152372491965 : uniform(random, 0.6, 0.9);
     const std::vector<Location> polyline{Location(f, {1 - x, x, 0}), Location(f, {0, 0.5, 0.5}),
                                          Location(f, {z, 1 - y - z, y})};
-    compare("end beside a source", mesh,
-            {[&](Geodesic& g) { g.add_source_polyline(polyline); }, [&](Geodesic& g) { g.add_source_point(v[0]); }}, random, 20,
-            true);
+    compare("end beside a source", mesh, {polyline_source(polyline), point_source(v[0])}, random, 20, true);
   }
 }
 
@@ -759,13 +720,7 @@ void needle_strips()
     const Surface_mesh mesh = needle_strip(random, 1e-9);
     const Face_index first(0), last(unsigned(mesh.number_of_faces() - 1));
     const double s = uniform(random, 0.1, 0.4), t = uniform(random, 0.6, 0.9);
-    compare("needle strip", mesh,
-            {[&](Geodesic& g) {
-               g.add_source_point(Location(first, {s, 1 - s, 0}));
-             },
-             [&](Geodesic& g) {
-               g.add_source_point(Location(last, {0, t, 1 - t}));
-             }},
+    compare("needle strip", mesh, {point_source(Location(first, {s, 1 - s, 0})), point_source(Location(last, {0, t, 1 - t}))},
             random, 20, true);
   }
 }
@@ -778,8 +733,8 @@ void cells_that_meet_on_an_edge()
   for (int i = 0; i < 60; ++i)
   {
     const Surface_mesh mesh = needle_strip(random, 1e-6);
-    std::vector<Add_source> sources;
-    for (const unsigned v : {1u, 16u, 14u}) sources.push_back([v](Geodesic& g) { g.add_source_point(Vertex_index(v)); });
+    std::vector<Source> sources;
+    for (const unsigned v : {1u, 16u, 14u}) sources.push_back(point_source(Vertex_index(v)));
     compare("cells that meet on an edge", mesh, sources, random, 20, true);
   }
 }
@@ -792,12 +747,10 @@ void windows_without_order()
   for (int i = 0; i < 60; ++i)
   {
     const Surface_mesh mesh = needle_strip(random, 1e-3);
-    std::vector<Add_source> sources;
+    std::vector<Source> sources;
     const double x = uniform(random, 0.3, 0.5), y = 1e-9 * uniform(random), z = 1e-5 * uniform(random);
     const auto add = [&](double start_value, const std::array<double, 3>& weights) {
-      sources.push_back([=](Geodesic& g) {
-        g.add_source_point(Location(Face_index(8), weights), CGAL::parameters::start_value(start_value));
-      });
+      sources.push_back(point_source(Location(Face_index(8), weights), start_value));
     };
     add(1.9e-9, {x - 0.2, 1.2 - x - z, z});
     add(0, {x, 1 - x - y, y});
@@ -815,9 +768,9 @@ void crossing_polylines()
   const auto at = [&](double x, double y) {
     return prepared.locate(Point_3(box.xmin() + x * box.x_span(), box.ymin() + y * box.y_span(), 0));
   };
-  const auto segment = [&](const Location& from, const Location& to) -> Add_source {
+  const auto segment = [&](const Location& from, const Location& to) -> Source {
     const auto path = prepared.join_polyline(std::vector<Location>{from, to}).locations;
-    return [path](Geodesic& g) { g.add_source_polyline(path); };
+    return polyline_source(path);
   };
   const Diagram cross = diagram_of(square, {segment(at(0.05, 0.3), at(0.97, 0.7)), segment(at(0.1, 0.6), at(0.93, 0.2))});
   check_graph(square, cross, 1e-12);
@@ -835,7 +788,7 @@ void crossing_polylines()
       Random random(++seed);
       const Surface_mesh mesh = Generated_mesh<Surface_mesh>(soup).mesh;
       const Geodesic::Mesh data(mesh);
-      std::vector<Add_source> sources;
+      std::vector<Source> sources;
       const std::size_t number = 2 + uniform_index(random, 4);
       for (std::size_t s = 0; s < number; ++s)
       {
@@ -845,7 +798,7 @@ void crossing_polylines()
           corners.push_back(uniform_index(random, 3) == 0 ? location_beside_vertex(mesh, random)
                                                           : random_location(mesh, random));
         const auto path = data.join_polyline(corners).locations;
-        sources.push_back([path](Geodesic& g) { g.add_source_polyline(path); });
+        sources.push_back(polyline_source(path));
       }
       compare("crossing polylines, seed " + std::to_string(seed), mesh, sources, random, 100, true);
     }
@@ -860,12 +813,8 @@ void ties_on_a_ray()
       for (const auto& weights : {std::array<double, 3>{0.25, 0.25, 0.5}, std::array<double, 3>{1. / 3, 1. / 3, 1. / 3}})
       {
         const Location l(f, weights);
-        Geodesic first(mesh);
-        first.add_source_point(v);
-        const double start = first.build(CGAL::parameters::keep_windows(true)).distance_to_sources(l);
-        const Diagram diagram =
-          diagram_of(mesh, {[v](Geodesic& g) { g.add_source_point(v); },
-                            [&](Geodesic& g) { g.add_source_point(l, CGAL::parameters::start_value(start)); }});
+        const double start = built(mesh, {point_source(v)}).distance_to_sources(l);
+        const Diagram diagram = diagram_of(mesh, {point_source(v), point_source(l, start)});
         CHECK_DETAIL(diagram.number_of_curves() == 0, std::to_string(diagram.number_of_curves()));
         for (const Face_index g : mesh.faces())
         {
@@ -885,19 +834,14 @@ void tie_at_a_center()
     v.push_back(mesh.add_vertex(Point_3(std::cos(0.4 * k * CGAL_PI), std::sin(0.4 * k * CGAL_PI), 0)));
   for (std::size_t k = 0; k < 5; ++k) mesh.add_face(v[0], v[k + 1], v[(k + 1) % 5 + 1]);
   const Location apex(Face_index(1), {1, 0, 0}), center(Face_index(1), {1. / 3, 1. / 3, 1. / 3});
-  const auto add_edge = [](Geodesic& g) { g.add_source_edges(std::vector<Edge_index>{Edge_index(7)}); };
-  Geodesic edge(mesh);
-  add_edge(edge);
-  const Field field = edge.build(CGAL::parameters::keep_windows(true));
+  const Source edge = edge_source({Edge_index(7)});
+  const Field field = built(mesh, {edge}).field();
   for (const double rounding : {-1e-15, 0., 1e-15})
   {
     const double start = field.distance_to_sources(center) + rounding;
-    const Diagram diagram = diagram_of(
-      mesh,
-      {add_edge, [&](Geodesic& g) { g.add_source_point(apex, CGAL::parameters::start_value(field.distance_to_sources(apex))); },
-       [&](Geodesic& g) {
-         g.add_source_polyline(std::vector<Location>{apex, center}, CGAL::parameters::start_value(start));
-       }});
+    const Diagram diagram =
+      diagram_of(mesh,
+                 {edge, point_source(apex, field.distance_to_sources(apex)), polyline_source({apex, center}, false, start)});
     std::size_t curves_of_lens = 0;
     for (const auto& c : diagram.curves())
       if (c.source_on_left() == 2 || c.source_on_right() == 2) ++curves_of_lens;
@@ -929,9 +873,7 @@ void locations_on_source_edge()
     return l;
   };
   const std::vector<Location> polyline = {location(0.2, 0.2, 0.6), location(0.5, 0.4, 0.1)};
-  const Diagram diagram =
-    diagram_of(mesh, {[&](Geodesic& g) { g.add_source_edges(std::vector<Edge_index>{mesh.edge(mesh.halfedge(a, b))}); },
-                      [&](Geodesic& g) { g.add_source_polyline(polyline); }});
+  const Diagram diagram = diagram_of(mesh, {edge_source({mesh.edge(mesh.halfedge(a, b))}), polyline_source(polyline)});
   for (int i = 1; i < 100; ++i)
     for (const double height : {-9e-14, -7e-15, -1e-16, 0., 1e-15})
       CHECK_DETAIL(diagram.source_at(location(i / 100., 1 - i / 100. - height, height)) == 0, std::to_string(i));
@@ -949,10 +891,7 @@ void vertex_and_edge()
     {
       const Edge_index e(unsigned(uniform_index(random, mesh.number_of_edges())));
       const auto h = mesh.halfedge(e, unsigned(uniform_index(random, 2)));
-      compare(name, mesh,
-              {[v = mesh.source(h)](Geodesic& g) { g.add_source_point(v); },
-               [e](Geodesic& g) { g.add_source_edges(std::vector<Edge_index>{e}); }},
-              random, 50, true);
+      compare(name, mesh, {point_source(mesh.source(h)), edge_source({e})}, random, 50, true);
     }
   };
   for (int i = 0; i < number_of_cases(60, 600); ++i)
@@ -981,7 +920,7 @@ void vertex_and_edge()
 }
 
 // A polyline along a part of an edge.
-Add_source along_edge(const Surface_mesh& mesh, Surface_mesh::Halfedge_index h, double from, double to, double start_value = 0)
+Source along_edge(const Surface_mesh& mesh, Surface_mesh::Halfedge_index h, double from, double to, double start_value = 0)
 {
   if (mesh.is_border(h))
   {
@@ -990,9 +929,7 @@ Add_source along_edge(const Surface_mesh& mesh, Surface_mesh::Halfedge_index h, 
     to = 1 - to;
   }
   const Locations<Surface_mesh> locations(mesh);
-  return [polyline = std::vector<Location>{locations.on_edge(h, from), locations.on_edge(h, to)}, start_value](Geodesic& g) {
-    g.add_source_polyline(polyline, CGAL::parameters::start_value(start_value));
-  };
+  return polyline_source({locations.on_edge(h, from), locations.on_edge(h, to)}, false, start_value);
 }
 
 std::vector<Soup> symmetric_soups()
@@ -1016,7 +953,7 @@ void parts_of_edges_at_a_vertex()
   for (const Soup& soup : symmetric_soups()) meshes.push_back(Generated_mesh<Surface_mesh>(soup).mesh);
   { // the bisector of two of them is a median of a face, and parabolas of the third one touch it
     const Surface_mesh& mesh = meshes.front();
-    std::vector<Add_source> sources;
+    std::vector<Source> sources;
     for (const auto h : halfedges_around_source(Vertex_index(1), mesh))
       sources.push_back(
         along_edge(mesh, h, std::array<double, 4>{0.0052619506861588464, 0.092934787624367715, 0, 0.2}[sources.size()], 0.5));
@@ -1031,7 +968,7 @@ void parts_of_edges_at_a_vertex()
     const Surface_mesh& mesh = meshes[uniform_index(random, meshes.size())];
     const Vertex_index v(unsigned(uniform_index(random, mesh.number_of_vertices())));
     const bool has_middles = uniform_index(random, 2) == 0;
-    std::vector<Add_source> sources;
+    std::vector<Source> sources;
     for (const auto h : halfedges_around_source(v, mesh))
       if (!mesh.is_border(h) && uniform_index(random, 3) > 0)
       {
@@ -1053,11 +990,8 @@ void shared_segments()
     };
     Random random(1);
     compare("octahedron, shared edge", mesh,
-            {along_edge(mesh, mesh.halfedge(Vertex_index(4), Vertex_index(3)), 1. / 3, 0),
-             [&](Geodesic& g) { g.add_source_edges(std::vector<Edge_index>{edge(4, 3)}); },
-             [&](Geodesic& g) {
-               g.add_source_edges(std::vector<Edge_index>{edge(4, 3), edge(3, 5)});
-             }},
+            {along_edge(mesh, mesh.halfedge(Vertex_index(4), Vertex_index(3)), 1. / 3, 0), edge_source({edge(4, 3)}),
+             edge_source({edge(4, 3), edge(3, 5)})},
             random, 100, true);
   }
   Random random(10);
@@ -1075,22 +1009,17 @@ void shared_segments()
     for (const auto h : halfedges_around_source(v, mesh)) around.push_back(h);
     const auto any = [&] { return around[uniform_index(random, around.size())]; };
     const Edge_index shared = mesh.edge(any());
-    std::vector<Add_source> sources;
+    std::vector<Source> sources;
     for (std::size_t k = 2 + uniform_index(random, 3); k > 0; --k)
     {
       const double start = uniform_index(random, 3) > 0 ? 0 : std::pow(10, uniform(random, -16, -12));
       switch (uniform_index(random, 4))
       {
-      case 0:
-        sources.push_back([v, start](Geodesic& g) { g.add_source_point(v, CGAL::parameters::start_value(start)); });
-        break;
+      case 0: sources.push_back(point_source(v, start)); break;
       case 1:
         sources.push_back(along_edge(mesh, any(), 0, uniform_index(random, 2) == 0 ? 0.5 : uniform(random, 0.1, 1), start));
         break;
-      default:
-        sources.push_back([edges = std::vector<Edge_index>{shared, mesh.edge(any())}, start](Geodesic& g) {
-          g.add_source_edges(edges, CGAL::parameters::start_value(start));
-        });
+      default: sources.push_back(edge_source({shared, mesh.edge(any())}, start));
       }
     }
     compare("shared segments", mesh, sources, random, 30, true);
@@ -1109,19 +1038,12 @@ void start_value_of_distance()
     for (Point_3& p : soup.points) p = Point_3(p.x(), p.y(), height * p.z());
     const Surface_mesh mesh = Generated_mesh<Surface_mesh>(soup).mesh;
     const Vertex_index v(unsigned(uniform_index(random, mesh.number_of_vertices())));
-    Add_source add;
-    if (uniform_index(random, 2) == 0)
-      add = [w = Vertex_index(unsigned(uniform_index(random, mesh.number_of_vertices())))](Geodesic& g) {
-        g.add_source_point(w);
-      };
-    else add = [l = random_location(mesh, random)](Geodesic& g) { g.add_source_point(l); };
-    Geodesic alone(mesh);
-    add(alone);
-    const double start = alone.build().distance_to_sources(v);
+    const Source source = uniform_index(random, 2) == 0
+                          ? point_source(Vertex_index(unsigned(uniform_index(random, mesh.number_of_vertices()))))
+                          : point_source(random_location(mesh, random));
+    const double start = built(mesh, {source}, false).distance_to_sources(v);
     if (start > 0)
-      compare("start value of the distance from another source", mesh,
-              {add, [v, start](Geodesic& g) { g.add_source_point(v, CGAL::parameters::start_value(start)); }}, random, 30,
-              true);
+      compare("start value of the distance from another source", mesh, {source, point_source(v, start)}, random, 30, true);
   }
 }
 
@@ -1140,9 +1062,7 @@ void vertex_and_polyline()
     const Face_index f = mesh.add_face(v[0], v[2], v[4]);
     std::vector<Location> polyline{Location(f, {0, 1, 0}), Location(f, {1. / 3, 1. / 3, 1. / 3})};
     for (std::size_t k = uniform_index(random, 3); k > 0; --k) polyline.push_back(Location(f, random_barycentric(random)));
-    compare("vertex and polyline", mesh,
-            {[v](Geodesic& g) { g.add_source_point(v[0]); }, [polyline](Geodesic& g) { g.add_source_polyline(polyline); }},
-            random, 30, true);
+    compare("vertex and polyline", mesh, {point_source(v[0]), polyline_source(polyline)}, random, 30, true);
   }
 }
 
@@ -1157,14 +1077,14 @@ void thin_boxes()
         box_sides(uniform(random, 3, 8), 3, std::pow(10, uniform(random, -5, -3))).triangulated(2, 2, unsigned(i)))
         .mesh;
     const Geodesic::Mesh prepared(mesh);
-    std::vector<Add_source> sources;
+    std::vector<Source> sources;
     for (std::size_t k = 2 + uniform_index(random, 3); k > 0; --k)
     {
       const auto path =
         prepared.join_polyline(std::vector<Location>{random_location(mesh, random), random_location(mesh, random)}).locations;
       const Vertex_index v(unsigned(uniform_index(random, mesh.number_of_vertices())));
-      if (k % 2 == 0) sources.push_back([v](Geodesic& g) { g.add_source_point(v); });
-      else sources.push_back([path](Geodesic& g) { g.add_source_polyline(path); });
+      if (k % 2 == 0) sources.push_back(point_source(v));
+      else sources.push_back(polyline_source(path));
     }
     compare("thin box", mesh, sources, random, 30, true);
   }
@@ -1186,13 +1106,10 @@ void links()
            {{0, 1, 2}}, {{0, 2, 3}}, {{1, 5, 2}}, {{3, 2, 6}}, {{3, 6, 7}}, {{3, 7, 8}}, {{3, 8, 4}}, {{2, 9, 6}}})
       mesh.add_face(v[f[0]], v[f[1]], v[f[2]]);
     const auto edge = [&](unsigned a, unsigned b, double start) {
-      return [e = mesh.edge(mesh.halfedge(v[a], v[b])), start](Geodesic& g) {
-        g.add_source_edges(std::vector<Edge_index>{e}, CGAL::parameters::start_value(start));
-      };
+      return edge_source({mesh.edge(mesh.halfedge(v[a], v[b]))}, start);
     };
     Random random(1);
-    compare("overlapping strips", mesh,
-            {[&](Geodesic& g) { g.add_source_point(v[4]); }, edge(5, 1, 0), edge(9, 2, 0.00070710678155543342)}, random, 100,
+    compare("overlapping strips", mesh, {point_source(v[4]), edge(5, 1, 0), edge(9, 2, 0.00070710678155543342)}, random, 100,
             true);
   }
   { // a point beside the common vertex of two edges: one of them is the source of a side by the windows of the neighbour only
@@ -1204,10 +1121,7 @@ void links()
         const auto h = mesh.halfedge(v), g = mesh.opposite(mesh.next(h));
         const Location beside = Locations<Surface_mesh>(mesh).on_edge(h, 1 - step);
         compare("point beside the common vertex of edges", mesh,
-                {[&](Geodesic& d) { d.add_source_point(beside); },
-                 [&](Geodesic& d) { d.add_source_edges(std::vector<Edge_index>{mesh.edge(g)}); },
-                 [&](Geodesic& d) { d.add_source_edges(std::vector<Edge_index>{mesh.edge(h)}); }},
-                random, 30, true);
+                {point_source(beside), edge_source({mesh.edge(g)}), edge_source({mesh.edge(h)})}, random, 30, true);
       }
   }
   { // a segment as short as rounding coincides with a vertex, and the next one in line does not; and curves beside each other
@@ -1218,20 +1132,13 @@ void links()
     const Location b(f, {0.875, 0.125, 0});
     for (const double step : {1e-14, 3e-14, 1e-13, 1e-10})
       compare("short segment in line", mesh,
-              {[&](Geodesic& g) { g.add_source_point(b); },
-               [&](Geodesic& g) {
-                 g.add_source_polyline(std::vector<Location>{Location(f, {0.25, 0.75, 0}), b,
-                                                             Location(f, {0.875 + step, 0.125 - step, 0})});
-               }},
+              {point_source(b),
+               polyline_source({Location(f, {0.25, 0.75, 0}), b, Location(f, {0.875 + step, 0.125 - step, 0})})},
               random, 100, true);
     const Location c(f, {0.25, 0.25, 0.5}), beside(f, {0.25 + 6e-10, 0.25 - 6e-10, 0.5}), near_end(f, {0, 0.999999, 1e-6});
     compare("polylines beside each other", mesh,
-            {[&](Geodesic& g) {
-               g.add_source_polyline(std::vector<Location>{Location(f, {0, 1, 0}), c, near_end});
-             },
-             [&](Geodesic& g) {
-               g.add_source_polyline(std::vector<Location>{near_end, beside, Location(f, {0, 1, 0})});
-             }},
+            {polyline_source({Location(f, {0, 1, 0}), c, near_end}),
+             polyline_source({near_end, beside, Location(f, {0, 1, 0})})},
             random, 100, true);
   }
   { // polylines through one point, with ends 8e-9 apart: several bisectors meet at the ends of links
@@ -1241,12 +1148,8 @@ void links()
     const Location center(f, {1. / 3, 1. / 3, 1. / 3}),
       end(f, {0.62291208656218811, 0.29480699722916781, 0.082280916208644084}), beside(f, {0.62291208, 0.294807, 0.08228092});
     compare("polylines through one point", mesh,
-            {[&](Geodesic& g) {
-               g.add_source_polyline(std::vector<Location>{Location(f, {1, 0, 0}), center, end});
-             },
-             [&](Geodesic& g) {
-               g.add_source_polyline(std::vector<Location>{beside, center, Location(f, {0.88, 0.12, 0})});
-             }},
+            {polyline_source({Location(f, {1, 0, 0}), center, end}),
+             polyline_source({beside, center, Location(f, {0.88, 0.12, 0})})},
             random, 30, true);
   }
   Random random(11);
@@ -1266,9 +1169,7 @@ void links()
       const auto h = uniform_index(random, 2) == 0 ? mesh.halfedge(center, ring[k]) : mesh.halfedge(ring[k], ring[k + 1]);
       return mesh.edge(h);
     };
-    std::vector<Add_source> sources{[edges = std::vector<Edge_index>{edge(), edge()}](Geodesic& g) {
-      g.add_source_edges(edges);
-    }};
+    std::vector<Source> sources{edge_source({edge(), edge()})};
     const Location l = random_location(mesh, random);
     for (std::size_t k = 2 + uniform_index(random, 2); k > 0; --k)
     {
@@ -1276,7 +1177,7 @@ void links()
       const double step = std::pow(10, uniform(random, -13, -8)) * beside.second[0];
       beside.second[0] -= step;
       beside.second[1] += step;
-      sources.push_back([beside](Geodesic& g) { g.add_source_point(beside); });
+      sources.push_back(point_source(beside));
     }
     compare("cluster and edges on a fan", mesh, sources, random, 30, true);
   }
@@ -1289,7 +1190,7 @@ void links()
       p = Point_3(p.x() + uniform(random, -noise, noise), p.y() + uniform(random, -noise, noise),
                   p.z() + uniform(random, -noise, noise));
     const Surface_mesh mesh = Generated_mesh<Surface_mesh>(soup).mesh;
-    std::vector<Add_source> sources;
+    std::vector<Source> sources;
     for (std::size_t k = 2 + uniform_index(random, 2); k > 0; --k)
     {
       const Edge_index e(unsigned(uniform_index(random, mesh.number_of_edges()))),
@@ -1298,85 +1199,24 @@ void links()
       const double size =
         std::sqrt(CGAL::squared_distance(mesh.point(mesh.vertex(other, 0)), mesh.point(mesh.vertex(other, 1))));
       const double start = std::array<double, 4>{0, 0, size / 2, size}[uniform_index(random, 4)];
-      if (uniform_index(random, 3) == 0)
-        sources.push_back([v, start](Geodesic& g) { g.add_source_point(v, CGAL::parameters::start_value(start)); });
-      else
-        sources.push_back([e, start](Geodesic& g) {
-          g.add_source_edges(std::vector<Edge_index>{e}, CGAL::parameters::start_value(start));
-        });
+      if (uniform_index(random, 3) == 0) sources.push_back(point_source(v, start));
+      else sources.push_back(edge_source({e}, start));
     }
     compare("edges that start later, perturbed", mesh, sources, random, 30, true);
   }
   CHECK(totals.forced == 0);
 }
 
-// Small cases of data/voronoi_cases.txt, whose first lines tell the format.
+// Small cases that gave wrong diagrams.
 void cases_of_file()
 {
-  std::ifstream in(std::filesystem::path(GEODESIC_OFFSET_TEST_DIR) / "data" / "voronoi_cases.txt");
-  std::string line;
-  std::size_t cases = 0;
-  while (std::getline(in, line))
+  const std::vector<Known_case> cases = known_cases("voronoi_cases.txt");
+  for (const Known_case& c : cases)
   {
-    if (line.empty() || line.front() == '#') continue;
-    const std::string name = line;
-    std::size_t number_of_points, number_of_faces, number_of_sources;
-    in >> number_of_points >> number_of_faces >> number_of_sources;
-    Surface_mesh mesh;
-    for (std::size_t i = 0; i < number_of_points; ++i)
-    {
-      double x, y, z;
-      in >> x >> y >> z;
-      mesh.add_vertex(Point_3(x, y, z));
-    }
-    std::vector<std::array<unsigned, 3>> corners(number_of_faces);
-    for (auto& c : corners)
-    {
-      in >> c[0] >> c[1] >> c[2];
-      mesh.add_face(Vertex_index(c[0]), Vertex_index(c[1]), Vertex_index(c[2]));
-    }
-    const auto read_location = [&] {
-      unsigned f;
-      double w[3];
-      in >> f >> w[0] >> w[1] >> w[2];
-      Location l(Face_index(f), {0, 0, 0});
-      const auto order = Locations<Surface_mesh>(mesh).corners(l.first);
-      for (std::size_t k = 0; k < 3; ++k)
-        l.second[k] = w[std::find(corners[f].begin(), corners[f].end(), unsigned(order[k])) - corners[f].begin()];
-      return l;
-    };
-    std::vector<Add_source> sources;
-    for (std::size_t i = 0; i < number_of_sources; ++i)
-    {
-      double start;
-      int size;
-      in >> start >> size;
-      const auto np = CGAL::parameters::start_value(start);
-      if (size < 0)
-      {
-        std::vector<Edge_index> edges;
-        int number;
-        for (in >> number; number > 0; --number)
-        {
-          unsigned from, to;
-          in >> from >> to;
-          edges.push_back(mesh.edge(mesh.halfedge(Vertex_index(from), Vertex_index(to))));
-        }
-        sources.push_back([edges, np](Geodesic& g) { g.add_source_edges(edges, np); });
-        continue;
-      }
-      std::vector<Location> points;
-      for (; size > 0; --size) points.push_back(read_location());
-      if (points.size() == 1) sources.push_back([points, np](Geodesic& g) { g.add_source_point(points.front(), np); });
-      else sources.push_back([points, np](Geodesic& g) { g.add_source_polyline(points, np); });
-    }
-    if (!CHECK_DETAIL(bool(in), name)) return;
-    std::getline(in, line);
     Random random(7);
-    compare(name, mesh, sources, random, 100, name.find("narrow cells") != std::string::npos);
-    ++cases;
+    compare(c.name, c.mesh, c.sources, random, 100, c.name.find("narrow cells") != std::string::npos);
   }
-  CHECK(cases == 30);
+  CHECK(cases.size() == 30);
   CHECK(totals.forced == 0);
 }
 
@@ -1398,9 +1238,7 @@ void points_on_edge()
     };
     const double part = 0.32009475681095179; // of vertex 0
     const Location at = location(faces[0], part, 1 - part - beside);
-    const Diagram diagram =
-      diagram_of(mesh,
-                 {[&](Geodesic& g) { g.add_source_point(Vertex_index(0)); }, [&](Geodesic& g) { g.add_source_point(at); }});
+    const Diagram diagram = diagram_of(mesh, {point_source(Vertex_index(0)), point_source(at)});
     const double middle = (1 - part) / 2; // of vertex 2, where the sources tie
     for (const Face_index f : faces)
       for (const double off : {0., 1e-17, 1e-15, 1e-9})
@@ -1423,11 +1261,11 @@ void thin_faces()
     Surface_mesh mesh;
     for (const Point_3& p : {Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0.3, height, 0)}) mesh.add_vertex(p);
     mesh.add_face(Vertex_index(0), Vertex_index(1), Vertex_index(2));
-    std::vector<Add_source> sources;
+    std::vector<Source> sources;
     for (int i = 0; i < 12; ++i)
     {
       const std::vector<Location> ends{random_location(mesh, random), random_location(mesh, random)};
-      sources.push_back([ends](Geodesic& g) { g.add_source_polyline(ends); });
+      sources.push_back(polyline_source(ends));
     }
     compare("thin face", mesh, sources, random, 100, true);
   }
@@ -1444,12 +1282,8 @@ void small_loops()
     Surface_mesh mesh;
     for (const Point_3& p : {Point_3(0, 0, 0), Point_3(2, 0, 0), Point_3(1, std::sqrt(3.), 0)}) mesh.add_vertex(p);
     const Face_index f = mesh.add_face(Vertex_index(0), Vertex_index(1), Vertex_index(2));
-    const Diagram diagram = diagram_of(
-      mesh,
-      {[&](Geodesic& g) {
-         g.add_source_point(Location(f, {1. / 3, 1. / 3, 1. / 3}), CGAL::parameters::start_value(1 / std::sqrt(3.) - radius));
-       },
-       [&](Geodesic& g) { g.add_source_edges(std::vector<Edge_index>(mesh.edges().begin(), mesh.edges().end())); }});
+    const Diagram diagram = diagram_of(mesh, {point_source(Location(f, {1. / 3, 1. / 3, 1. / 3}), 1 / std::sqrt(3.) - radius),
+                                              edge_source(std::vector<Edge_index>(mesh.edges().begin(), mesh.edges().end()))});
     const bool is_found = radius > 1e-7;
     CHECK_DETAIL(diagram.number_of_curves() == (is_found ? 1 : 0) && diagram.source_at_face(f) == (is_found ? 0 : 1),
                  values(radius, double(diagram.number_of_curves())));
@@ -1507,7 +1341,7 @@ void unreachable()
   const Surface_mesh other = Generated_mesh<Surface_mesh>(torus(8, 6, 5, 0.4)).mesh;
   CGAL::copy_face_graph(other, mesh);
   Random random(3);
-  const auto at = [](unsigned i) -> Add_source { return [i](Geodesic& g) { g.add_source_point(Vertex_index(i)); }; };
+  const auto at = [](unsigned i) -> Source { return point_source(Vertex_index(i)); };
   compare("unreachable component", mesh, {at(0), at(20), at(70)}, random, 200);
 }
 
@@ -1525,12 +1359,8 @@ void data_meshes()
   // Behind saddle vertices where the sum of angles is larger than a full turn by 1e-6 only, cones part by this angle.
   Random random(7);
   compare("rotor_small, cones that part", mesh,
-          {[](Geodesic& g) {
-             g.add_source_point(Location(Face_index(1958), {0.25, 0.25, 0.5}));
-           },
-           [](Geodesic& g) {
-             g.add_source_point(Location(Face_index(2718), {0.1308263138, 0.8617041370, 0.0074695492}));
-           }},
+          {point_source(Location(Face_index(1958), {0.25, 0.25, 0.5})),
+           point_source(Location(Face_index(2718), {0.1308263138, 0.8617041370, 0.0074695492}))},
           random, 100);
 }
 
