@@ -2,19 +2,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Families of offsets: all forms of requests give the same curves, one propagation serves any number of levels, curves
-// arrive by distance during the propagation, and concurrent queries work.
+// arrive by distance during the propagation.
 
-#include "data_meshes.h"
-#include "generated_meshes.h"
-#include "offset_tools.h"
-#include "plane_section.h"
+#include "query_cases.h"
 #include "search_cases.h"
 
 #include <cmath>
 #include <functional>
 #include <map>
 #include <string>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -25,14 +21,6 @@ typedef CGAL::Offset_levels<double> Levels;
 
 double worst_length = 0;
 std::size_t number_of_curves = 0;
-
-double largest_distance(const test::Surface_mesh& mesh, const Geodesic& geodesic)
-{
-  double largest = 0;
-  for (auto v : vertices(mesh))
-    if (std::isfinite(geodesic.distance_to_sources(v))) largest = (std::max)(largest, geodesic.distance_to_sources(v));
-  return largest;
-}
 
 // Curves received by a callback, which is called by increasing distance.
 struct Received
@@ -49,7 +37,7 @@ struct Received
 };
 
 template <class Family>
-Offset_curves built(Geodesic& geodesic, const Family& family)
+Offset_curves cut_during_build(Geodesic& geodesic, const Family& family)
 {
   Offset_curves result;
   geodesic.build_with_offset_curves(family, std::back_inserter(result));
@@ -59,14 +47,10 @@ Offset_curves built(Geodesic& geodesic, const Family& family)
 // Compares every way to request the curves of a family with one level at a time from kept windows. `levels`: those of the
 // family in increasing order; `called`: expected number of levels for a callback.
 template <class Family>
-void compare(const test::Surface_mesh& mesh, const std::function<void(Geodesic&)>& add_sources, const Family& family,
+void compare(const test::Surface_mesh& mesh, const std::vector<Source>& sources, const Family& family,
              const std::vector<double>& levels, std::size_t called)
 {
-  Geodesic kept(mesh), plain(mesh);
-  add_sources(kept);
-  add_sources(plain);
-  kept.build(CGAL::parameters::keep_windows(true));
-  plain.build();
+  Geodesic kept = built(mesh, sources), plain = built(mesh, sources, false);
   Offset_curves one_by_one;
   for (double level : levels)
   {
@@ -85,8 +69,8 @@ void compare(const test::Surface_mesh& mesh, const std::function<void(Geodesic&)
   same("kept windows", offsets(kept, family));
   same("windows not kept", offsets(plain, family));
   Geodesic again(mesh);
-  add_sources(again);
-  same("built with", built(again, family));
+  again.add_sources(source_set(sources));
+  same("built with", cut_during_build(again, family));
   CHECK(again.is_built() &&
         again.distance_to_sources(*vertices(mesh).begin()) == plain.distance_to_sources(*vertices(mesh).begin()));
   // cutting and keeping need lower envelopes; without them, a few more windows are propagated, most where many meet at
@@ -183,11 +167,10 @@ std::size_t number_of_limited_strokes = 0;
 
 // With a distance limit equal to the largest level, the curves are those of the build without limit, piece by piece up to
 // rounding, also at levels through vertices and the farthest point.
-void limited_to_the_largest_level(const test::Surface_mesh& mesh, const std::function<void(Geodesic&)>& add_sources,
-                                  unsigned seed)
+void limited_to_the_largest_level(const test::Surface_mesh& mesh, const std::vector<Source>& sources, unsigned seed)
 {
   Geodesic geodesic(mesh);
-  add_sources(geodesic);
+  geodesic.add_sources(source_set(sources));
   geodesic.build(CGAL::parameters::compute_largest_distance(true));
   const double farthest = geodesic.largest_distance().value();
   std::vector<double> at_vertices;
@@ -225,34 +208,32 @@ void limited_to_the_largest_level(const test::Surface_mesh& mesh, const std::fun
     }
 }
 
-void all_ways(const std::string& name, const test::Surface_mesh& mesh, const std::function<void(Geodesic&)>& add_sources)
+void all_ways(const std::string& name, const test::Surface_mesh& mesh, const std::vector<Source>& sources)
 {
   Report::instance().set_context(name);
   try
   {
-    Geodesic geodesic(mesh);
-    add_sources(geodesic);
-    geodesic.build();
-    limited_to_the_largest_level(mesh, add_sources, unsigned(mesh.number_of_faces()));
-    const double largest = largest_distance(mesh, geodesic);
+    const Geodesic geodesic = built(mesh, sources, false);
+    limited_to_the_largest_level(mesh, sources, unsigned(mesh.number_of_faces()));
+    const double largest = largest_vertex_distance(geodesic, mesh);
     const auto part = [&](double x) { return x * largest; };
-    compare(mesh, add_sources, part(0.37), {part(0.37)}, 1);
-    compare(mesh, add_sources, std::vector<double>{part(0.1), part(0.45), part(0.9)}, {part(0.1), part(0.45), part(0.9)}, 3);
+    compare(mesh, sources, part(0.37), {part(0.37)}, 1);
+    compare(mesh, sources, std::vector<double>{part(0.1), part(0.45), part(0.9)}, {part(0.1), part(0.45), part(0.9)}, 3);
     // unsorted, repeated, beyond the largest distance
-    compare(mesh, add_sources, std::vector<double>{part(3), part(0.6), part(0.2), part(2), part(0.6), part(0.2), part(0.03)},
+    compare(mesh, sources, std::vector<double>{part(3), part(0.6), part(0.2), part(2), part(0.6), part(0.2), part(0.03)},
             {part(0.03), part(0.2), part(0.6), part(2), part(3)}, 5);
     const double spacing = largest / 7.3;
     std::vector<double> multiples;
     for (int i = 1; i <= 12; ++i) multiples.push_back(i * spacing);
-    compare(mesh, add_sources, Levels::equally_spaced(spacing, 5), {multiples.begin(), multiples.begin() + 5}, 5);
-    compare(mesh, add_sources, Levels::equally_spaced(spacing, 12), multiples, 12);
+    compare(mesh, sources, Levels::equally_spaced(spacing, 5), {multiples.begin(), multiples.begin() + 5}, 5);
+    compare(mesh, sources, Levels::equally_spaced(spacing, 12), multiples, 12);
     std::vector<double> started;
     for (int i = 0; i < 5; ++i) started.push_back(part(0.05) + i * spacing);
-    compare(mesh, add_sources, Levels::equally_spaced(spacing, 5, part(0.05)), started, 5);
+    compare(mesh, sources, Levels::equally_spaced(spacing, 5, part(0.05)), started, 5);
     // until covered: one more level than multiples below the farthest vertex may exist inside a face
     const std::size_t covered = offsets(geodesic, multiples[7]).empty() ? 7 : 8;
     CHECK(offsets(geodesic, multiples[8]).empty());
-    compare(mesh, add_sources, Levels::equally_spaced(spacing),
+    compare(mesh, sources, Levels::equally_spaced(spacing),
             {multiples.begin(), multiples.begin() + static_cast<std::ptrdiff_t>(covered)}, covered);
   }
   catch (const std::exception& e)
@@ -262,13 +243,11 @@ void all_ways(const std::string& name, const test::Surface_mesh& mesh, const std
 }
 
 // The number of windows does not depend on the number of levels.
-void one_propagation(const test::Surface_mesh& mesh, const std::function<void(Geodesic&)>& add_sources)
+void one_propagation(const test::Surface_mesh& mesh, const Source_set& sources)
 {
   Report::instance().set_context("one propagation");
-  Geodesic geodesic(mesh);
-  add_sources(geodesic);
-  geodesic.build(CGAL::parameters::keep_windows(true));
-  const double largest = largest_distance(mesh, geodesic);
+  Geodesic geodesic = built(mesh, sources);
+  const double largest = largest_vertex_distance(geodesic, mesh);
   const std::size_t whole = geodesic.statistics().windows_propagated;
   CHECK(whole > 0);
   for (double share : {1., 0.3})
@@ -428,9 +407,8 @@ void long_faces()
   std::vector<double> multiples;
   for (int i = 1; i <= 200; ++i) multiples.push_back(0.55 * i);
   for (const std::size_t source : {std::size_t(0), std::size_t(60), short_fan.vertices.size() - 1})
-    compare(
-      short_fan.mesh, [&](Geodesic& g) { g.add_source_point(short_fan.vertices[source]); },
-      Levels::equally_spaced(0.55, multiples.size()), multiples, multiples.size());
+    compare(short_fan.mesh, {point_source(short_fan.vertices[source])}, Levels::equally_spaced(0.55, multiples.size()),
+            multiples, multiples.size());
 }
 
 // Levels that are close against the faces: few pieces are in memory at one time.
@@ -600,86 +578,14 @@ void dense_faces()
     levels);
 }
 
-// All const members from several threads at once.
-void threads(const test::Surface_mesh& mesh, const std::function<void(Geodesic&)>& add_sources, bool keep)
+void run(const Query_case& c)
 {
-  Report::instance().set_context(keep ? "threads, kept windows" : "threads");
-  Geodesic geodesic(mesh);
-  add_sources(geodesic);
-  geodesic.build(CGAL::parameters::keep_windows(keep));
-  const double largest = largest_distance(mesh, geodesic);
-  struct Answers
-  {
-    std::vector<Piece_key> pieces, left;
-    std::vector<double> distances;
-    std::vector<Point_3> points;
-    bool operator==(const Answers& o) const
-    {
-      return pieces == o.pieces && left == o.left && distances == o.distances && points == o.points;
-    }
-  };
-  const auto ask = [&]() {
-    Answers a;
-    const Offset_curves curves = offsets(geodesic, Levels::equally_spaced(largest / 9.5, 9));
-    a.pieces = sorted_pieces(curves);
-    a.left = sorted_pieces(offsets(geodesic, largest / 3, CGAL::Offset_side::LEFT));
-    for (const Offset_curve& c : curves) c.points(1e-3 * largest, std::back_inserter(a.points));
-    for (auto v : vertices(mesh)) a.distances.push_back(geodesic.distance_to_sources(v));
-    if (keep)
-      for (auto f : faces(mesh))
-      {
-        a.distances.push_back(geodesic.distance_to_sources(Face_location(f, {{0.3, 0.3, 0.4}})));
-        std::vector<Face_location> path;
-        geodesic.shortest_path_to_sources(Face_location(f, {{0.5, 0.3, 0.2}}), std::back_inserter(path));
-        a.distances.push_back(double(path.size()));
-      }
-    return a;
-  };
-  const Answers expected = ask();
-  CHECK(!expected.pieces.empty() && !expected.left.empty());
-  std::vector<Answers> answers(4);
-  std::vector<std::thread> running;
-  for (Answers& a : answers) running.emplace_back([&] { a = ask(); });
-  for (std::thread& t : running) t.join();
-  for (const Answers& a : answers) CHECK(a == expected);
-}
-
-void run(const std::string& name, const test::Surface_mesh& mesh, unsigned seed)
-{
-  const auto sections = random_plane_section(mesh, seed);
-  Random random(seed);
-  const auto f = *std::next(faces(mesh).begin(), static_cast<std::ptrdiff_t>(uniform_index(random, num_faces(mesh))));
-  const Face_location inside(f, random_barycentric(random));
-  const auto section = [&](Geodesic& g) {
-    for (const auto& s : sections) g.add_source_polyline(s.locations, CGAL::parameters::is_closed(s.closed));
-  };
-  all_ways(name + ", vertex", mesh, [&](Geodesic& g) { g.add_source_point(*vertices(mesh).begin()); });
-  all_ways(name + ", point in a face", mesh, [&](Geodesic& g) { g.add_source_point(inside); });
-  all_ways(name + ", plane section", mesh, section);
-}
-
-void generated_meshes()
-{
-  const std::pair<const char*, Soup> generated[] = {
-    {"torus", torus(20, 14)},
-    {"icosphere", icosphere(2)},
-    {"genus 5", marching_genus_5(9)},
-    {"cube", cube_grid(5)},
-    {"tetrahedron", tetrahedron_sides().triangulated(0, 0, 1)},
-    {"cone of 1.5 turns", Cone(8, 3 * CGAL_PI, 1).triangulated(25, 4, 5)},
-    {"jittered grid", jittered_grid(14, 10, 7)},
-    {"grid", planar_grid(10, 10, Diagonals::alternating)}};
-  unsigned seed = 20;
-  for (const auto& soup : generated) run(soup.first, Generated_mesh<test::Surface_mesh>(soup.second).mesh, ++seed);
-}
-
-void data_meshes()
-{
-  for (const char* name : {"eight.off", "anchor.off", "elephant.off", "mask_cone.off", "rotor.off"})
-  {
-    test::Surface_mesh mesh;
-    if (read_data_mesh(std::filesystem::path(data_directory()) / name, 10000, mesh).empty()) run(name, mesh, 3);
-  }
+  Random random(7);
+  all_ways(c.name + ", vertex", c.mesh, {point_source(*vertices(c.mesh).begin())});
+  all_ways(c.name + ", point in a face", c.mesh, {point_source({random_face(c.mesh, random), random_barycentric(random)})});
+  std::vector<Source> section;
+  for (const auto& s : random_plane_section(c.mesh, 3)) section.push_back(polyline_source(s.locations, s.closed));
+  all_ways(c.name + ", plane section", c.mesh, section);
 }
 
 // For all families above, propagation is shorter with a limit at their largest level.
@@ -695,24 +601,20 @@ void limits_save_windows()
 GEODESIC_OFFSET_TEST(test_offset_families)
 {
   std::cout.precision(3);
-  const Generated_mesh<test::Surface_mesh> data(torus(40, 30));
-  const auto sections = random_plane_section(data.mesh, 3);
-  const auto section = [&](Geodesic& g) {
-    for (const auto& s : sections) g.add_source_polyline(s.locations, CGAL::parameters::is_closed(s.closed));
-  };
-  const auto vertex = [&](Geodesic& g) { g.add_source_point(data.vertices[0]); };
+  const Query_case torus_mesh("torus", torus(40, 30));
   const std::pair<const char*, std::function<void()>> tests[] = {
-    {"generated meshes", generated_meshes},
-    {data_case, data_meshes},
-    {"one propagation from a vertex", [&] { one_propagation(data.mesh, vertex); }},
-    {"one propagation from a section", [&] { one_propagation(data.mesh, section); }},
+    {"generated meshes", [] { for_each_mesh(all_mesh_names(), {}, run); }},
+    {data_case,
+     [] {
+       for_each_mesh({}, {"eight.off", "anchor.off", "elephant.off", "mask_cone.off", "rotor.off"}, run);
+     }},
+    {"one propagation from a vertex", [&] { one_propagation(torus_mesh.mesh, source_set({point_source(Vertex_index(0))})); }},
+    {"one propagation from a section", [&] { one_propagation(torus_mesh.mesh, torus_mesh.section(3)); }},
     {"streaming", streaming},
     {"long faces", long_faces},
     {"close levels", close_levels},
     {"faces finalized together", faces_finalized_together},
     {"dense faces", dense_faces},
-    {"threads", [&] { threads(data.mesh, section, false); }},
-    {"threads, with kept windows", [&] { threads(data.mesh, section, true); }},
     {"limits save windows", limits_save_windows}};
   const int result = run_tests("test_offset_families", tests);
   std::cout << number_of_curves << " curves in families; lengths differ by at most " << worst_length

@@ -5,16 +5,10 @@
 // of the offset at d, the integral of all lengths is the area of the surface, and both sides of polylines together are the
 // whole offset.
 
-#include "data_meshes.h"
 #include "derivative_check.h"
-#include "generated_meshes.h"
-#include "locations.h"
-#include "offset_integrals.h"
-#include "plane_section.h"
-#include "test_check.h"
+#include "query_cases.h"
 
 #include <algorithm>
-#include <functional>
 #include <iostream>
 #include <string>
 #include <utility>
@@ -22,8 +16,6 @@
 namespace test_offset_integrals {
 
 using namespace test;
-
-typedef std::function<void(Geodesic&)> Add_sources;
 
 struct Totals
 {
@@ -33,48 +25,30 @@ struct Totals
 };
 Totals totals;
 
-// Calls f(name, add_sources, has_sides) for each kind of sources.
+// Calls f(name, sources, has_sides) for each kind of sources.
 template <class Function>
 void with_sources(const Surface_mesh& mesh, const Function& f)
 {
   Random random(7);
-  const auto vertex = *mesh.vertices().begin();
-  const Face_location inside(Surface_mesh::Face_index(mesh.number_of_faces() / 2), random_barycentric(random));
-  const auto sections = random_plane_section(mesh, 2);
-  f(
-    "vertex", [&](Geodesic& g) { g.add_source_point(vertex); }, false);
-  f(
-    "points",
-    [&](Geodesic& g) {
-      g.add_source_point(inside);
-      g.add_source_point(vertex);
-    },
-    false);
+  const Source vertex = point_source(*vertices(mesh).begin()),
+               inside = point_source({Surface_mesh::Face_index(mesh.number_of_faces() / 2), random_barycentric(random)});
+  f("vertex", std::vector<Source>{vertex}, false);
+  f("points", std::vector<Source>{inside, vertex}, false);
+  std::vector<Source> sections;
+  for (const auto& s : random_plane_section(mesh, 2)) sections.push_back(polyline_source(s.locations, s.closed));
   if (sections.empty() || sections[0].locations.size() < 3) return;
-  f(
-    "section",
-    [&](Geodesic& g) {
-      for (const auto& s : sections) g.add_source_polyline(s.locations, CGAL::parameters::is_closed(s.closed));
-    },
-    true);
-  f(
-    "half a section",
-    [&](Geodesic& g) {
-      const auto& l = sections[0].locations;
-      g.add_source_polyline(std::vector<Face_location>(l.begin(), l.begin() + std::ptrdiff_t(l.size() + 1) / 2));
-    },
-    true);
+  f("section", sections, true);
+  const auto& l = sections[0].locations;
+  f("half a section", std::vector<Source>{polyline_source({l.begin(), l.begin() + std::ptrdiff_t(l.size() + 1) / 2})}, true);
 }
 
-void derivatives_and_sides(const std::string& name, const Surface_mesh& mesh, std::size_t count)
+void derivatives_and_sides(const Query_case& c, std::size_t count)
 {
   Random random(11);
-  with_sources(mesh, [&](const std::string& sources, const Add_sources& add_sources, bool has_sides) {
-    Report::instance().set_context(name + ", " + sources);
-    Geodesic geodesic(mesh);
-    add_sources(geodesic);
-    geodesic.build(CGAL::parameters::keep_windows(true));
-    Offset_integrals integrals(geodesic, mesh);
+  with_sources(c.mesh, [&](const std::string& name, const std::vector<Source>& sources, bool has_sides) {
+    c.set_context(name);
+    const Geodesic geodesic = built(c.mesh, sources);
+    Offset_integrals integrals(geodesic, c.mesh);
     for (std::size_t i = 0; i < count; ++i)
     {
       const double d = uniform(random, 0.02, 0.98) * integrals.largest_distance();
@@ -94,11 +68,9 @@ void derivatives_and_sides(const std::string& name, const Surface_mesh& mesh, st
 void all_levels(const std::string& name, const Soup& soup, double tolerance)
 {
   const Generated_mesh<Surface_mesh> data(soup);
-  with_sources(data.mesh, [&](const std::string& sources, const Add_sources& add_sources, bool) {
-    Report::instance().set_context(name + ", all levels, " + sources);
-    Geodesic geodesic(data.mesh);
-    add_sources(geodesic);
-    geodesic.build(CGAL::parameters::keep_windows(true));
+  with_sources(data.mesh, [&](const std::string& kind, const std::vector<Source>& sources, bool) {
+    Report::instance().set_context(name + ", all levels, " + kind);
+    const Geodesic geodesic = built(data.mesh, sources);
     Offset_integrals integrals(geodesic, data.mesh);
     double left_over;
     const Coarea sum = integrals.over_all_levels(tolerance / 4, left_over);
@@ -116,37 +88,13 @@ void differences_are_seen()
 {
   Report::instance().set_context("wrong lengths");
   const Generated_mesh<Surface_mesh> data(icosphere(1));
-  Geodesic geodesic(data.mesh);
-  geodesic.add_source_point(data.vertices[0]);
-  geodesic.build(CGAL::parameters::keep_windows(true));
+  const Geodesic geodesic = built(data.mesh, {point_source(data.vertices[0])});
   Offset_integrals integrals(geodesic, data.mesh);
   Level_measure from = integrals.measure(0.4), to = integrals.measure(0.401);
   CHECK(from.fits && to.fits && from.areas.size() == data.mesh.number_of_faces());
   CHECK(integrals.between(from, to).relative_difference() <= 1e-9);
   from.areas[0] += 1e-9;
   CHECK(integrals.between(from, to).relative_difference() > 1e-9);
-}
-
-void generated_meshes()
-{
-  const std::pair<const char*, Soup> soups[] = {
-    {"torus", torus(14, 10)},
-    {"icosphere", icosphere(2)},
-    {"cube", cube_grid(4)},
-    {"needles", random_rectangle(1, 0.01, 60, 4, 3)},
-    {"tiny faces", marching_sphere(6)},
-    {"cone of 1.5 turns", Cone(8, 3 * CGAL_PI, 1).triangulated(25, 4, 5)},
-    {"jittered grid", jittered_grid(12, 9, 7)}};
-  for (const auto& soup : soups) derivatives_and_sides(soup.first, Generated_mesh<Surface_mesh>(soup.second).mesh, 15);
-}
-
-void data_meshes()
-{
-  for (const auto& file : data_files())
-  {
-    Surface_mesh mesh;
-    if (read_data_mesh(file, 6000, mesh).empty()) derivatives_and_sides(file.filename().string(), mesh, 2);
-  }
 }
 
 void integrals_over_all_levels()
@@ -169,11 +117,12 @@ void few_events()
 GEODESIC_OFFSET_TEST(test_offset_integrals)
 {
   const auto generated = [] {
-    generated_meshes();
+    for_each_mesh(all_mesh_names(), {}, [](const Query_case& c) { derivatives_and_sides(c, 15); });
     few_events();
   };
   const auto data = [] {
-    data_meshes();
+    for_each_mesh(
+      {}, data_mesh_names(), [](const Query_case& c) { derivatives_and_sides(c, 2); }, 6000);
     few_events();
   };
   const std::pair<const char*, void (*)()> tests[] = {{"generated meshes", generated},

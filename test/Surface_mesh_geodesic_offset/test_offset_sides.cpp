@@ -5,9 +5,7 @@
 // oracles for the side: the equation of the plane if all curves of the section are sources (no shortest path to them
 // crosses the plane), and the shortest path traced from the piece.
 
-#include "data_meshes.h"
-#include "generated_meshes.h"
-#include "plane_section.h"
+#include "query_cases.h"
 #include "side_oracle.h"
 
 #include <set>
@@ -41,9 +39,7 @@ Plane random_plane(const test::Surface_mesh& mesh, unsigned seed)
 
 std::vector<double> levels_of(const test::Surface_mesh& mesh, const Geodesic& geodesic)
 {
-  double largest = 0;
-  for (auto v : vertices(mesh))
-    if (std::isfinite(geodesic.distance_to_sources(v))) largest = (std::max)(largest, geodesic.distance_to_sources(v));
+  const double largest = largest_vertex_distance(geodesic, mesh);
   std::vector<double> result;
   for (double part : {0.011, 0.083, 0.27, 0.51, 0.74, 0.96}) result.push_back(part * largest);
   return result;
@@ -213,39 +209,21 @@ GEODESIC_OFFSET_TEST(test_offset_sides)
   const std::size_t maximum_faces = argc > 1 ? std::stoul(argv[1]) : 6000;
   std::cout.precision(3);
   Totals totals;
-  const std::pair<const char*, Soup> generated[] = {
-    {"torus", torus(20, 14)},
-    {"icosphere", icosphere(2)},
-    {"genus 5", marching_genus_5(9)},
-    {"marching sphere", marching_sphere(8)},
-    {"box", rotated(box_sides(1, 0.7, 0.45).triangulated(40, 4, 1), 1)},
-    {"cube", rotated(cube_grid(6), 2)},
-    {"tetrahedron", rotated(tetrahedron_sides().triangulated(30, 3, 1), 3)},
-    {"prism", rotated(Prism(6, 0.5, 1.5).triangulated(30, 4, 3), 4)},
-    {"cone of 0.75 turns", Cone(8, 1.5 * CGAL_PI, 1).triangulated(25, 4, 4)},
-    {"cone of 1.5 turns", Cone(8, 3 * CGAL_PI, 1).triangulated(25, 4, 5)},
-    {"jittered grid", rotated(jittered_grid(14, 10, 7), 5)},
-    {"L", rotated(l_shape(50, 5, 8), 8)}};
-  if (mesh_kinds().generated)
-  {
-    for (const auto& soup : generated)
-    {
-      const Generated_mesh<test::Surface_mesh> data(soup.second);
-      run(soup.first, data.mesh, true, totals);
-      run(std::string(soup.first) + ", open", data.mesh, false, totals);
-      reversed_section(data.mesh, 5);
-    }
-    Report::instance().set_context("");
-    CHECK_DETAIL(totals.meshes >= 8, std::to_string(totals.meshes) + " meshes");
-  }
+  for_each_mesh(all_mesh_names(), {}, [&](const Query_case& c) {
+    run(c.name, c.mesh, true, totals);
+    run(c.name + ", open", c.mesh, false, totals);
+    reversed_section(c.mesh, 5);
+  });
+  Report::instance().set_context("");
+  if (mesh_kinds().generated) CHECK_DETAIL(totals.meshes >= 8, std::to_string(totals.meshes) + " meshes");
   const std::size_t from_generator = totals.meshes;
-  for (const std::filesystem::path& file : data_files())
-  {
-    test::Surface_mesh mesh;
-    if (!read_data_mesh(file, maximum_faces, mesh).empty()) continue;
-    run(file.filename().string(), mesh, true, totals);
-    run(file.filename().string() + ", open", mesh, false, totals);
-  }
+  for_each_mesh(
+    {}, data_mesh_names(),
+    [&](const Query_case& c) {
+      run(c.name, c.mesh, true, totals);
+      run(c.name + ", open", c.mesh, false, totals);
+    },
+    maximum_faces);
   Report::instance().set_context("");
   const std::size_t from_data = totals.meshes - from_generator;
   if (!data_files().empty()) CHECK_DETAIL(from_data >= 12, std::to_string(from_data) + " meshes");
