@@ -4,12 +4,8 @@
 // Meshes split along offset curves: valid triangle meshes with the surface and topology of the original, new vertices on their
 // levels, curves of edges, bands with the areas that the curves enclose, the nearest sources of faces, and calls of the visitor.
 
-#include "data_meshes.h"
-#include "generated_meshes.h"
-#include "locations.h"
 #include "offset_integrals.h"
-#include "plane_section.h"
-#include "test_check.h"
+#include "query_cases.h"
 
 #include <CGAL/Polygon_mesh_processing/border.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
@@ -22,7 +18,6 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
-#include <functional>
 #include <iostream>
 #include <iterator>
 #include <set>
@@ -34,7 +29,6 @@ namespace test_splitting {
 
 using namespace test;
 
-typedef std::function<void(Geodesic&)> Add_sources;
 typedef Surface_mesh::Face_index Face_index;
 typedef Surface_mesh::Edge_index Edge_index;
 typedef Surface_mesh::Vertex_index Vertex_index;
@@ -131,12 +125,10 @@ double chord_tolerance_for(const std::vector<Nearer>& nearer, double surface, do
   return result;
 }
 
-void split(const std::string& name, const Surface_mesh& original, const Add_sources& add_sources, Random& random)
+void split(const std::string& name, const Surface_mesh& original, const std::vector<Source>& sources, Random& random)
 {
   Report::instance().set_context(name);
-  Geodesic geodesic(original);
-  add_sources(geodesic);
-  geodesic.build(CGAL::parameters::keep_windows(true));
+  const Geodesic geodesic = built(original, sources);
   const std::vector<double> levels = levels_of(geodesic, original, random);
   const double diagonal = bounding_box_diagonal(original), old_area = CGAL::Polygon_mesh_processing::area(original);
   Offset_integrals integrals(geodesic, original);
@@ -145,7 +137,7 @@ void split(const std::string& name, const Surface_mesh& original, const Add_sour
   const double chord_tolerance = chord_tolerance_for(expected, old_area, diagonal);
   Surface_mesh mesh = original;
   Geodesic on_copy(mesh);
-  add_sources(on_copy);
+  on_copy.add_sources(source_set(sources));
   std::vector<Offset_curve> curves;
   on_copy.build_with_offset_curves(levels, std::back_inserter(curves));
   auto distance = mesh.add_property_map<Vertex_index, double>("distance").first;
@@ -246,67 +238,48 @@ std::vector<Geodesic::Face_location> random_polyline(const Surface_mesh& mesh, R
   return result;
 }
 
-void split_from_all(const std::string& name, const Surface_mesh& mesh, unsigned seed)
+void split_from_all(const Query_case& c, unsigned seed)
 {
   Random random(seed);
-  const auto sections = random_plane_section(mesh, 2);
-  const auto vertex = *mesh.vertices().begin();
   ++totals.meshes;
-  split(
-    name + ", vertex", mesh, [&](Geodesic& g) { g.add_source_point(vertex); }, random);
-  const auto polyline = random_polyline(mesh, random);
+  split(c.name + ", vertex", c.mesh, {point_source(*c.mesh.vertices().begin())}, random);
+  const auto polyline = random_polyline(c.mesh, random);
   if (polyline.size() > 1)
   {
     ++totals.polylines;
-    split(
-      name + ", polyline", mesh, [&](Geodesic& g) { g.add_source_polyline(polyline); }, random);
+    split(c.name + ", polyline", c.mesh, {polyline_source(polyline)}, random);
   }
+  std::vector<Source> sections, boundary;
+  for (const auto& s : random_plane_section(c.mesh, 2)) sections.push_back(polyline_source(s.locations, s.closed));
   if (!sections.empty() && sections[0].locations.size() > 2)
   {
     ++totals.sections;
-    split(
-      name + ", section", mesh,
-      [&](Geodesic& g) {
-        for (const auto& s : sections) g.add_source_polyline(s.locations, CGAL::parameters::is_closed(s.closed));
-      },
-      random);
+    split(c.name + ", section", c.mesh, sections, random);
   }
-  if (!CGAL::is_closed(mesh))
+  for (const auto& cycle : Geodesic::Mesh(c.mesh).boundary_edges()) boundary.push_back(edge_source(cycle));
+  if (!boundary.empty())
   {
     ++totals.boundaries;
-    split(
-      name + ", boundary", mesh,
-      [&](Geodesic& g) {
-        for (const auto& cycle : g.mesh().boundary_edges()) g.add_source_edges(cycle);
-      },
-      random);
+    split(c.name + ", boundary", c.mesh, boundary, random);
   }
 }
 
 void generated_meshes()
 {
-  const std::pair<const char*, Soup> soups[] = {
-    {"torus", torus(14, 10)},
-    {"icosphere", icosphere(2)},
-    {"cube", cube_grid(4)},
-    {"grid", planar_grid(8, 6)},
-    {"needles", random_rectangle(1, 0.01, 60, 4, 3)},
-    {"tiny faces", marching_sphere(6)},
-    {"cone of 1.5 turns", Cone(8, 3 * CGAL_PI, 1).triangulated(25, 4, 5)},
-    {"jittered grid", jittered_grid(12, 9, 7)}};
   unsigned seed = 0;
-  for (const auto& soup : soups) split_from_all(soup.first, Generated_mesh<Surface_mesh>(soup.second).mesh, ++seed);
+  for_each_mesh({"torus", "icosphere", "cube", "grid", "needles", "tiny faces", "saddle", "jittered grid"}, {},
+                [&](const Query_case& c) { split_from_all(c, ++seed); });
 }
 
 void data_meshes()
 {
   std::size_t readable = 0;
-  for (const auto& file : data_files())
-  {
-    Surface_mesh mesh;
-    if (read_data_mesh(file, 1500, mesh).empty() && readable++ % number_of_cases(3, 1) == 0)
-      split_from_all(file.filename().string(), mesh, 1);
-  }
+  for_each_mesh(
+    {}, data_mesh_names(),
+    [&](const Query_case& c) {
+      if (readable++ % number_of_cases(3, 1) == 0) split_from_all(c, 1);
+    },
+    1500);
 }
 
 // The inner squares of a square, with the level at the middles of edges: all chords are edges of the result.
@@ -474,9 +447,7 @@ std::size_t split_along_circles(const std::vector<double>& levels, double chord_
 {
   const double rounding = 2e-9;
   Surface_mesh original = Generated_mesh<Surface_mesh>(planar_grid(2, 2)).mesh; // of size 2
-  Geodesic geodesic(original);
-  geodesic.add_source_point(Vertex_index(4));
-  geodesic.build(CGAL::parameters::keep_windows(true));
+  const Geodesic geodesic = built(original, {point_source(Vertex_index(4))});
   const Point_3 center = original.point(Vertex_index(4));
   std::vector<Geodesic::Offset_curve> curves;
   geodesic.offset_curves(levels, std::back_inserter(curves));
@@ -511,9 +482,7 @@ std::size_t split_along_circles(const std::vector<double>& levels, double chord_
     faces_before = mesh.number_of_faces();
     number_of_vertices = mesh.number_of_vertices();
     if (!is_accurate) continue;
-    Geodesic again(mesh);
-    again.add_source_point(Vertex_index(4));
-    again.build();
+    const Geodesic again = built(mesh, {point_source(Vertex_index(4))}, false);
     for (const Vertex_index v : mesh.vertices()) CHECK(std::abs(again.distance_to_sources(v) - distance(v)) <= 1e-9);
   }
   return number_of_vertices;
@@ -549,9 +518,7 @@ void levels_without_width()
   for (std::size_t i = 0; i < 9; ++i)
   {
     Surface_mesh mesh = Generated_mesh<Surface_mesh>(planar_grid(2, 2)).mesh;
-    Geodesic geodesic(mesh);
-    geodesic.add_source_point(Vertex_index(Surface_mesh::size_type(i)));
-    geodesic.build(CGAL::parameters::keep_windows(true));
+    const Geodesic geodesic = built(mesh, {point_source(Vertex_index(Surface_mesh::size_type(i)))});
     auto distance = mesh.add_property_map<Vertex_index, double>("distance").first;
     geodesic.vertex_distances(distance);
     std::vector<Geodesic::Offset_curve> curves;
