@@ -4,8 +4,9 @@
 # The core for `double`, compiled once: the target Surface_mesh_geodesic_offset::compiled. The functions of each part are in
 # internal/compilation/compiled_functions.h.
 
-# add_geodesic_offset_library(target [EXCLUDE_FROM_ALL]): a library of the core
+# add_geodesic_offset_library(target [EXCLUDE_FROM_ALL] [WITHOUT_THREADS]): a library of the core
 function(add_geodesic_offset_library target)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "EXCLUDE_FROM_ALL;WITHOUT_THREADS" "" "")
   set(folder "${PROJECT_BINARY_DIR}/compiled_parts")
   set(files)
   # Parts share a translation unit, since half of the time of a part alone is that of reading headers.
@@ -29,9 +30,10 @@ function(add_geodesic_offset_library target)
     configure_file("${CMAKE_CURRENT_FUNCTION_LIST_DIR}/compiled_part.cpp.in" "${folder}/${name}.cpp" @ONLY)
     list(APPEND files "${folder}/${name}.cpp")
   endforeach()
-  add_library(${target} STATIC ${ARGN} ${files})
+  add_library(${target} STATIC ${files})
+  set_target_properties(${target} PROPERTIES EXCLUDE_FROM_ALL ${arg_EXCLUDE_FROM_ALL})
   target_link_libraries(${target} PUBLIC Surface_mesh_geodesic_offset::Surface_mesh_geodesic_offset)
-  if(TARGET CGAL::TBB_support)
+  if(TARGET CGAL::TBB_support AND NOT arg_WITHOUT_THREADS)
     target_link_libraries(${target} PUBLIC CGAL::TBB_support)
   endif()
   target_compile_definitions(${target} PUBLIC CGAL_GEODESIC_OFFSET_COMPILED PRIVATE CGAL_GEODESIC_OFFSET_BUILDS_LIBRARY)
