@@ -38,6 +38,9 @@ public:
   // linear in its size and in the number of cells of its part of the surface: sets of vertices that edges without crossings connect.
   std::map<std::size_t, Geodesic_inner_side> operator()();
 
+  // Number of halfedges and cells visited by this call: that of passes over the mesh, and over the cells per polyline.
+  std::size_t number_of_visits() const { return m_visits; }
+
 private:
   typedef Surface_point<FT> Place;
   typedef Point_in_face<double> Point;
@@ -120,6 +123,7 @@ private:
   std::vector<double> m_area, m_border;       // by cell
   std::vector<int> m_winding;                 // by cell, of the last polyline
   std::vector<Index> m_cells;                 // of the part of the last polyline
+  std::size_t m_visits = 0;
 };
 
 } // namespace CGAL::Geodesic_offset::internal

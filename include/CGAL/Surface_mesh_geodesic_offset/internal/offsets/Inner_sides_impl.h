@@ -205,6 +205,7 @@ void Inner_sides<FT>::find_cells()
   const auto for_each_halfedge = [&](const auto& f) {
     for (Index h = 0; h < m_mesh.number_of_halfedges(); ++h)
       if (m_mesh.source(h) != no_index) f(h);
+    m_visits += m_mesh.number_of_halfedges();
   };
   for_each_halfedge([&](Index h) { node(h); }); // numbers all fans
   m_cell.resize(m_mesh.number_of_vertices() + m_more_nodes.size());
@@ -255,6 +256,7 @@ bool Inner_sides<FT>::find_windings(const Contour& contour)
   for (std::size_t i = 0; i < m_cells.size(); ++i)
   {
     const Index c = m_cells[i];
+    ++m_visits;
     for (const Index l : m_links_of[c])
     {
       const Link& link = m_links[l];
