@@ -86,9 +86,8 @@ private:
     const bool is_index = parse_index(digits, index);
     if(!is_index || index == 0 || (is_backwards && index > vertices))
       m_text.fail_here(face(m_soup.polygons.size() - 1) + " has the vertex index " + quoted_word(word) +
-                       (is_index && index != 0
-                          ? ", beyond the " + counted(vertices, "vertex", "vertices") + " in front of it"
-                          : "; a whole number from 1, or from -1 downwards, is expected"));
+                       (is_index && index != 0 ? ", beyond the " + counted(vertices, "vertex", "vertices") + " in front of it"
+                                               : "; a whole number from 1, or from -1 downwards, is expected"));
     if(is_backwards) return static_cast<std::uint32_t>(vertices - index);
     if(index > m_largest)
     {
