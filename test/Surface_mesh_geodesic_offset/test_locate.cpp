@@ -551,6 +551,23 @@ void distances()
   CHECK_THROWS(geodesic.locate_polyline_with_distance(std::vector<Point_3>()), std::invalid_argument);
 }
 
+void mean_edge()
+{
+  for (const Soup& soup : {icosphere(1), planar_grid(3, 2)})
+  {
+    const Mesh_data data(soup);
+    double sum = 0;
+    for (const auto h : halfedges(data.mesh))
+      if (!is_border(h, data.mesh))
+        sum += distance(data.mesh.point(source(h, data.mesh)), data.mesh.point(target(h, data.mesh)));
+    const double expected = sum / (3. * double(data.mesh.number_of_faces())),
+                 mean = Geodesic(data.mesh).mesh().mean_edge_length();
+    CHECK_DETAIL(std::abs(mean - expected) <= 1e-14, values(mean, expected));
+  }
+  const test::Surface_mesh empty;
+  CHECK(Geodesic(empty).mesh().mean_edge_length() == 1);
+}
+
 void bad_input()
 {
   Report::instance().set_context("bad input");
@@ -605,6 +622,7 @@ GEODESIC_OFFSET_TEST(test_locate)
     {"isolated vertex", isolated_vertex},
     {"search and tree", search_and_tree},
     {"distances", distances},
+    {"mean edge", mean_edge},
     {"bad input", bad_input}};
   const int result = run_tests("test_locate", tests);
   std::cout << number_of_queries << " points located, the worst off by " << worst << " of what is allowed" << std::endl;

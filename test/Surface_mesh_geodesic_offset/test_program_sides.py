@@ -153,6 +153,28 @@ def write_shell(path, thickness, n=5):
     write_off(path, points, faces)
 
 
+def test_chains(bench):
+    """Borders and edges among the sources are written as polylines, divided where other than two of the edges meet."""
+    placed = bench.path("placed.polylines.txt")
+
+    def written(mesh, *sources):
+        bench.run(mesh, *sources, "--source-output", placed)
+        curves = read_polylines(placed)
+        return sorted((len(c), c[0] == c[-1], round(chain_length(c), 9)) for c in curves)
+
+    check(written(bench.grid(HORIZONTAL), "--source-boundary") == [(49, True, 48)], "one border")
+    box = bench.path("box.off")
+    write_off(box, [(i % 2, i // 2 % 2, i // 4) for i in range(8)],
+              [(a, b, c) for q in ((0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5))
+               for a, b, c in ((q[0], q[1], q[2]), (q[0], q[2], q[3]))])
+    check(written(box, "--source-sharp-edges", 60) == 12 * [(2, False, 1)], "the edges of a cube")
+    check(written(box, "--source-sharp-edges", 60, "--sharp-edges-near", "0.5,0,0") == [(2, False, 1)], "one of them")
+    # a sheet with one bend
+    write_off(box, [(0, 0, 0), (1, 0, 0), (2, 0, 0), (0, 1, 0), (1, 1, 0), (2, 1, 0), (0, 0, 1), (1, 0, 1), (2, 0, 1)],
+              [(0, 1, 4), (0, 4, 3), (1, 2, 5), (1, 5, 4), (1, 0, 6), (1, 6, 7), (2, 1, 7), (2, 7, 8)])
+    check(written(box, "--source-sharp-edges", 60, "--source-boundary") == [(3, False, 2), (9, True, 8)], "a bent sheet")
+
+
 def test_skins(bench):
     shell, placed = bench.path("shell.off"), bench.path("placed.polylines.txt")
     write_shell(shell, 0.1)
@@ -184,4 +206,4 @@ def test_skins(bench):
 
 
 if __name__ == "__main__":
-    run_test(pocket=test_pocket, holes=test_holes, digits=test_digits, ends=test_ends, closing=test_closing, skins=test_skins)
+    run_test(pocket=test_pocket, holes=test_holes, digits=test_digits, ends=test_ends, closing=test_closing, chains=test_chains, skins=test_skins)

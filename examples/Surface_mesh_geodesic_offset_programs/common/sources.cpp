@@ -11,6 +11,7 @@
 #include <optional>
 #include <stdexcept>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
 namespace geodesic_offset {
@@ -33,35 +34,32 @@ void keep_nearest(std::vector<Curve>& curves, const std::array<double, 3>& near,
   curves = std::vector<Curve>{curves[nearest]};
 }
 
-// The chain of given edges through the nearest one to a point, in both directions up to vertices where other than two of the
-// edges meet.
-std::vector<Edge> nearest_chain(const Mesh& mesh, const std::vector<Edge>& edges, const std::array<double, 3>& near)
+// The chains of given edges: closed, or up to vertices where other than two of the edges meet.
+std::vector<std::vector<Halfedge>> chains_of(const Mesh& mesh, const std::vector<Edge>& edges)
 {
-  const Point point(near[0], near[1], near[2]);
-  const auto squared_distance = [&](Edge e) {
-    return CGAL::squared_distance(point, Kernel::Segment_3(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1))));
-  };
   std::unordered_map<Vertex, std::vector<Edge>> edges_at;
   for(Edge e : edges)
     for(unsigned i : {0u, 1u}) edges_at[mesh.vertex(e, i)].push_back(e);
-
-  const Edge first =
-    *std::min_element(edges.begin(), edges.end(), [&](Edge a, Edge b) { return squared_distance(a) < squared_distance(b); });
-  std::vector<Edge> chain{first};
-  for(unsigned i : {0u, 1u})
-  {
-    Edge edge = first;
-    Vertex vertex = mesh.vertex(first, i);
-    while(edges_at[vertex].size() == 2)
+  std::unordered_set<Edge> chained;
+  std::vector<std::vector<Halfedge>> chains;
+  const auto add_chain = [&](Halfedge h) {
+    chains.emplace_back();
+    while(chained.insert(mesh.edge(h)).second)
     {
-      edge = edges_at[vertex][edges_at[vertex][0] == edge ? 1 : 0];
-      if(edge == first) // a closed chain
-        return chain;
-      chain.push_back(edge);
-      vertex = mesh.vertex(edge, mesh.vertex(edge, 0) == vertex ? 1 : 0);
+      chains.back().push_back(h);
+      const Vertex end = mesh.target(h);
+      const std::vector<Edge>& at_end = edges_at[end];
+      if(at_end.size() != 2) break;
+      h = mesh.halfedge(at_end[at_end[0] == mesh.edge(h) ? 1 : 0]);
+      if(mesh.source(h) != end) h = mesh.opposite(h);
     }
-  }
-  return chain;
+  };
+  for(Edge e : edges)
+    for(unsigned i : {0u, 1u})
+      if(const Halfedge h = mesh.halfedge(e, i); edges_at[mesh.source(h)].size() != 2 && chained.count(e) == 0) add_chain(h);
+  for(Edge e : edges)
+    if(chained.count(e) == 0) add_chain(mesh.halfedge(e));
+  return chains;
 }
 
 // Where a line meets the surface.
@@ -185,13 +183,6 @@ Sources::Sources(const Mesh_input& input, const Source_options& options, const G
     m_points.push_back(put_on_surface(geodesic, Point(p[0], p[1], p[2]), options, m_moved, [&] {
       return "--source-point " + short_number(p[0]) + ',' + short_number(p[1]) + ',' + short_number(p[2]);
     }));
-  if(!options.source_polylines.empty())
-  {
-    double sum = 0;
-    for(Edge e : m_mesh.edges())
-      sum += std::sqrt(CGAL::squared_distance(m_mesh.point(m_mesh.vertex(e, 0)), m_mesh.point(m_mesh.vertex(e, 1))));
-    m_snapping = snapping_of_edge * sum / static_cast<double>(m_mesh.number_of_edges());
-  }
   for(std::size_t i = 0; i < options.source_polylines.size(); ++i)
     for(const File_polyline& polyline : read_polylines(options.source_polylines[i]))
       add_polyline(polyline, options.source_polylines[i],
@@ -219,7 +210,13 @@ std::vector<std::vector<Point>> Sources::polylines() const
     for(const Face_location& location : polyline.locations) polylines.back().push_back(point_of(location));
     if(polyline.is_closed) polylines.back().push_back(polylines.back().front());
   }
-  for_each_edge([&](Edge e) { polylines.push_back({m_mesh.point(m_mesh.vertex(e, 0)), m_mesh.point(m_mesh.vertex(e, 1))}); });
+  for(const auto* sets : {&m_boundary_cycles, &m_edges})
+    for(const std::vector<Edge>& edges : *sets)
+      for(const std::vector<Halfedge>& chain : chains_of(m_mesh, edges))
+      {
+        polylines.push_back({m_mesh.point(m_mesh.source(chain.front()))});
+        for(Halfedge h : chain) polylines.back().push_back(m_mesh.point(m_mesh.target(h)));
+      }
   return polylines;
 }
 
@@ -259,7 +256,8 @@ void Sources::add_polyline(const File_polyline& from, const std::string& file, c
   std::vector<Point> points = from.points;
   if(repeats_first) points.pop_back();
   std::vector<Face_location> located = put_on_surface(
-    m_geodesic, points, options, m_moved, [&](std::size_t i) { return line + ": " + name(i); }, m_snapping);
+    m_geodesic, points, options, m_moved, [&](std::size_t i) { return line + ": " + name(i); },
+    snapping_of_edge * m_geodesic.mean_edge_length());
   if(polyline.is_closed)
   {
     points.push_back(points.front());
@@ -349,7 +347,15 @@ void Sources::add_sharp_edges(double degrees, const Source_options& options)
   if(edges.empty())
     throw Input_error("--source-sharp-edges " + short_number(degrees) + ": " + quoted(options.mesh) +
                       " has no edge with a larger angle");
-  if(options.sharp_edges_near) edges = nearest_chain(m_mesh, edges, *options.sharp_edges_near);
+  if(options.sharp_edges_near)
+  {
+    std::vector<std::vector<Halfedge>> chains = chains_of(m_mesh, edges);
+    keep_nearest(chains, *options.sharp_edges_near, [&](const std::vector<Halfedge>& chain, const auto& f) {
+      for(Halfedge h : chain) f(m_mesh.point(m_mesh.source(h)), m_mesh.point(m_mesh.target(h)));
+    });
+    edges.clear();
+    for(Halfedge h : chains.front()) edges.push_back(m_mesh.edge(h));
+  }
   m_edges.push_back(std::move(edges));
 }
 

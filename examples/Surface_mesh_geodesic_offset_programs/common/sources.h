@@ -152,7 +152,6 @@ class Sources
   // rounding of the digits would have an arbitrary direction. In mean edges; about the rounding of eight digits, from which on
   // arcs with an arbitrary side are too short to divide a curve. Binding test: test_program_sides, digits.
   static constexpr double snapping_of_edge = 1. / (1 << 26);
-  double m_snapping = 0;
 
 public:
   Sources(const Mesh_input& input, const Source_options& options, const Geodesic_mesh& geodesic);

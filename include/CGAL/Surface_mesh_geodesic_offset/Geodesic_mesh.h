@@ -463,6 +463,9 @@ public:
 
   /// the mesh.
   const Triangle_mesh& triangle_mesh() const { return data().surface().tm; }
+
+  /// the mean length of the edges of all faces, up to rounding: an edge of two faces counts twice. 1 if there are no faces.
+  double mean_edge_length() const { return data().unfolded().mean_edge_length(); }
   /// @}
 
 private:
