@@ -245,8 +245,7 @@ class Bench:
     def run(self, *arguments, warning=None):
         """Returns the statistics. `warning`: words of the warning that is expected, the only one."""
         stats = self.path("stats.json")
-        result = subprocess.run([self.program, *map(str, arguments), "--stats", stats, "--quiet"],
-                                stderr=subprocess.PIPE, universal_newlines=True, timeout=300)
+        result = self.start(*arguments, "--stats", stats, "--quiet", program=os.path.basename(self.program))
         text = "exit code %d: %s" % (result.returncode, result.stderr)
         lines = result.stderr.splitlines()
         is_expected = not lines if warning is None else len(lines) == 1 and "warning: " in lines[0] and warning in lines[0]
@@ -286,6 +285,13 @@ def ridge_unfolded(p):
 
 def chain_length(points):
     return sum(math.dist(p, q) for p, q in zip(points, points[1:]))
+
+
+def read_polylines(path):
+    with open(path) as file:
+        rows = [line.split() for line in file]
+    check(all(len(row) == 1 + 3 * int(row[0]) for row in rows), "numbers of points")
+    return [[tuple(float(x) for x in row[k:k + 3]) for k in range(1, len(row), 3)] for row in rows]
 
 
 def read_ply(path):

@@ -133,17 +133,16 @@ inline Soup named_soup(const std::string& name)
   throw std::logic_error("no mesh is named " + name);
 }
 
-/// Calls f(); an exception is a failure.
+/// Calls f(name, mesh) for the meshes of the data directory with the given names. Prints which are skipped.
 template <class Function>
-void guarded(const Function& f)
+void for_each_data_mesh(const Names& names, std::size_t maximum_faces, const Function& f)
 {
-  try
+  for (const std::string& name : names)
   {
-    f();
-  }
-  catch (const std::exception& e)
-  {
-    CHECK_DETAIL(!"an exception was thrown", e.what());
+    test::Surface_mesh mesh;
+    const std::string reason = read_data_mesh(std::filesystem::path(data_directory()) / name, maximum_faces, mesh);
+    if (reason.empty()) f(name, mesh);
+    else std::cout << name << ": skipped, " << reason << std::endl;
   }
 }
 
@@ -157,13 +156,9 @@ void for_each_mesh(const Names& generated, const Names& data, const Function& f,
     guarded([&] { f(c); });
   };
   for (const std::string& name : mesh_kinds().generated ? generated : Names()) run(Query_case(name, named_soup(name)));
-  for (const std::string& name : mesh_kinds().data ? data : Names())
-  {
-    test::Surface_mesh mesh;
-    const std::string reason = read_data_mesh(std::filesystem::path(data_directory()) / name, maximum_faces, mesh);
-    if (reason.empty()) run(Query_case(name, mesh));
-    else std::cout << name << ": skipped, " << reason << std::endl;
-  }
+  if (mesh_kinds().data)
+    for_each_data_mesh(data, maximum_faces,
+                       [&](const std::string& name, const test::Surface_mesh& mesh) { run(Query_case(name, mesh)); });
 }
 
 /// All files of the data directory.
@@ -193,19 +188,15 @@ inline Query_cases generated_query_cases()
   return cases;
 }
 
-constexpr const char* small_data_meshes[] = {"anchor.off", "mesh_with_border.off"};
-
 /// Two small meshes of the data directory.
+inline Names small_data_meshes() { return {"anchor.off", "mesh_with_border.off"}; }
+
 inline Query_cases data_query_cases()
 {
   Query_cases cases;
-  for (const char* name : small_data_meshes)
-  {
-    test::Surface_mesh mesh;
-    const std::string reason = read_data_mesh(std::filesystem::path(data_directory()) / name, 10000, mesh);
-    if (reason.empty()) cases.push_back(std::make_unique<Query_case>(name, mesh));
-    else std::cout << name << ": skipped, " << reason << std::endl;
-  }
+  for_each_data_mesh(small_data_meshes(), 10000, [&](const std::string& name, const test::Surface_mesh& mesh) {
+    cases.push_back(std::make_unique<Query_case>(name, mesh));
+  });
   return cases;
 }
 

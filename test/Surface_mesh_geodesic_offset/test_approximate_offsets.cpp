@@ -202,15 +202,10 @@ void generated_meshes()
 
 void data_meshes()
 {
-  for (const char* name : {"eight.off", "anchor.off", "elephant.off", "mask_cone.off", "mesh_with_border.off", "cow.off",
-                           "bones.off", "hand.off", "mannequin-devil.off", "knot1.off", "femur.off"})
-  {
-    test::Surface_mesh mesh;
-    if (const std::string reason = read_data_mesh(std::filesystem::path(data_directory()) / name, 12000, mesh); !reason.empty())
-    {
-      std::cout << name << ": skipped, " << reason << std::endl;
-      continue;
-    }
+  const Names names = {"eight.off", "anchor.off", "elephant.off", "mask_cone.off",       "mesh_with_border.off",
+                       "cow.off",   "bones.off",  "hand.off",     "mannequin-devil.off", "knot1.off",
+                       "femur.off"};
+  for_each_data_mesh(names, 12000, [](const std::string& name, const test::Surface_mesh& mesh) {
     Case c(name, mesh);
     Report::instance().set_context(c.name);
     c.add({{Face_location(*faces(mesh).begin(), {{0.3, 0.25, 0.45}})}, false});
@@ -218,7 +213,7 @@ void data_meshes()
     std::vector<double> levels;
     for (int i = 1; i <= 10; ++i) levels.push_back(c.exact.largest_vertex_distance().value() * (i - 0.37) / 10);
     for (const double t : {1e-5, 1e-3}) check_with_tolerance(c, levels, t, 0, [t](double d) { return t * d / (1 - t); });
-  }
+  });
 }
 
 // Open curves end on the border; with many levels few are in memory; exact builds have no tolerance; a split needs exact curves.

@@ -146,20 +146,13 @@ void smooth_and_rough_shapes()
 void data_meshes()
 {
   random_sources_of(data_query_cases());
-  for (const char* name : {"bunny00.off", "elephant.off", "fandisk.off", "mech-holes-shark.off"})
-  {
-    test::Surface_mesh mesh;
-    const std::string reason = read_data_mesh(std::filesystem::path(data_directory()) / name, 80000, mesh);
-    if (!reason.empty())
-    {
-      std::cout << name << ": skipped, " << reason << std::endl;
-      continue;
-    }
+  const Names names = {"bunny00.off", "elephant.off", "fandisk.off", "mech-holes-shark.off"};
+  for_each_data_mesh(names, 80000, [](const std::string& name, const test::Surface_mesh& mesh) {
     Report::instance().set_context(name);
     const Query_case c(name, mesh);
     Random random(2);
     check_with_all_tolerances(c, {c.random_source(random), c.random_source(random)}, random);
-  }
+  });
 }
 
 // Against certified bounds.

@@ -125,6 +125,20 @@ bool check_close(Worst_error& worst, double actual, double expected, const char*
 
 namespace test {
 
+/// Calls f(); an exception is a failure.
+template <class Function>
+void guarded(const Function& f)
+{
+  try
+  {
+    f();
+  }
+  catch (const std::exception& e)
+  {
+    CHECK_DETAIL(!"an exception was thrown", e.what());
+  }
+}
+
 /// Runs the (name, function) pairs, each in its context; an exception is a failure. Returns the result of `finish`. The
 /// case `data_case` runs if meshes of the data directory are requested, the others if generated meshes are.
 template <class Tests>
@@ -135,14 +149,7 @@ int run_tests(const char* name, const Tests& tests)
     const bool is_wanted = test.first == std::string(data_case) ? mesh_kinds().data : mesh_kinds().generated;
     if (!is_wanted) continue;
     Report::instance().set_context(test.first);
-    try
-    {
-      test.second();
-    }
-    catch (const std::exception& e)
-    {
-      CHECK_DETAIL(!"an exception was thrown", e.what());
-    }
+    guarded(test.second);
   }
   return Report::instance().finish(name);
 }

@@ -449,19 +449,6 @@ void many()
   CHECK_DETAIL(sides.number_of_visits() == visits, values(double(sides.number_of_visits()), double(visits)));
 }
 
-template <class Function>
-void guarded(const Function& f)
-{
-  try
-  {
-    f();
-  }
-  catch (const std::exception& e)
-  {
-    CHECK_DETAIL(!"an exception was thrown", e.what());
-  }
-}
-
 } // namespace test_inner_sides
 
 GEODESIC_OFFSET_TEST(test_inner_sides)

@@ -347,14 +347,10 @@ template <class TriangleMesh>
 void run(const std::string& name)
 {
   for (unsigned seed = 1; seed <= 4; ++seed)
-    for (const std::size_t points_inside : {0u, 20u, 300u}) try
-      {
+    for (const std::size_t points_inside : {0u, 20u, 300u})
+      guarded([&] {
         Queries<TriangleMesh>(name + ", " + std::to_string(points_inside) + " points", points_inside, seed).run();
-      }
-      catch (const std::exception& e)
-      {
-        CHECK_DETAIL(!"an exception was thrown", e.what());
-      }
+      });
 }
 
 } // namespace test_offset_curve_queries

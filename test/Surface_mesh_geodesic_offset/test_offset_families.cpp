@@ -211,8 +211,7 @@ void limited_to_the_largest_level(const test::Surface_mesh& mesh, const std::vec
 void all_ways(const std::string& name, const test::Surface_mesh& mesh, const std::vector<Source>& sources)
 {
   Report::instance().set_context(name);
-  try
-  {
+  guarded([&] {
     const Geodesic geodesic = built(mesh, sources, false);
     limited_to_the_largest_level(mesh, sources, unsigned(mesh.number_of_faces()));
     const double largest = largest_vertex_distance(geodesic, mesh);
@@ -235,11 +234,7 @@ void all_ways(const std::string& name, const test::Surface_mesh& mesh, const std
     CHECK(offsets(geodesic, multiples[8]).empty());
     compare(mesh, sources, Levels::equally_spaced(spacing),
             {multiples.begin(), multiples.begin() + static_cast<std::ptrdiff_t>(covered)}, covered);
-  }
-  catch (const std::exception& e)
-  {
-    CHECK_DETAIL(!"an exception was thrown", e.what());
-  }
+  });
 }
 
 // The number of windows does not depend on the number of levels.

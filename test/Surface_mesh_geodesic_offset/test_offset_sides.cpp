@@ -150,8 +150,7 @@ bool run(const std::string& name, const test::Surface_mesh& mesh, bool closed_wa
     for (const auto& s : sections) closed += s.closed ? 1 : 0;
     if (closed_wanted ? closed == 0 : closed == sections.size()) continue;
     Report::instance().set_context(name + ", seed " + std::to_string(seed));
-    try
-    {
+    guarded([&] {
       compare_sides(mesh, sections, &plane, totals);
       for (const auto& s : sections) // a single curve need not divide the surface
         if (s.closed == closed_wanted)
@@ -159,11 +158,7 @@ bool run(const std::string& name, const test::Surface_mesh& mesh, bool closed_wa
           compare_sides(mesh, {s}, nullptr, totals);
           break;
         }
-    }
-    catch (const std::exception& e)
-    {
-      CHECK_DETAIL(!"an exception was thrown", e.what());
-    }
+    });
     if (closed_wanted) ++totals.meshes;
     totals.closed_sections += closed;
     totals.open_sections += sections.size() - closed;

@@ -109,8 +109,7 @@ public:
   void compare(const std::string& what, const Path& path, bool closed, const std::vector<double>& levels, bool touching = false)
   {
     Report::instance().set_context(name_ + ", " + what);
-    try
-    {
+    guarded([&] {
       Geodesic geodesic(data_.mesh);
       geodesic.add_source_polyline(path.locations, CGAL::parameters::is_closed(closed));
       ++tally.polylines;
@@ -137,11 +136,7 @@ public:
         for (auto& entry : all) check(entry.first, std::move(entry.second));
       }
       CHECK(calls == levels.size());
-    }
-    catch (const std::exception& e)
-    {
-      CHECK_DETAIL(!"an exception was thrown", e.what());
-    }
+    });
   }
 
   /// Compares curves of a selection: numbers of closed and open curves, and their total length.
@@ -149,8 +144,7 @@ public:
                       std::size_t number_closed, std::size_t number_open, double expected)
   {
     Report::instance().set_context(name_ + ", " + what + ", level " + std::to_string(level));
-    try
-    {
+    guarded([&] {
       Geodesic geodesic(data_.mesh);
       if (path.locations.size() == 1) geodesic.add_source_point(path.locations[0]);
       else geodesic.add_source_polyline(path.locations, CGAL::parameters::is_closed(closed));
@@ -167,11 +161,7 @@ public:
       CHECK_DETAIL(curves.size() - n_closed == number_open, std::to_string(curves.size() - n_closed) + " open");
       CHECK_DETAIL(std::abs(length - expected) <= 1e-11 * expected, values(length, expected));
       tally.length = (std::max)(tally.length, std::abs(length - expected) / expected);
-    }
-    catch (const std::exception& e)
-    {
-      CHECK_DETAIL(!"an exception was thrown", e.what());
-    }
+    });
   }
 
 private:

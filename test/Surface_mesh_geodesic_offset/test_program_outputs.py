@@ -6,8 +6,7 @@ cube. The tests in other files read outputs with other software."""
 import math
 import struct
 
-from program_bench import (check, check_close, cube, polyline_text, read_ply, run_test, write_grid, write_off)
-from test_program_paths import read_polylines
+from program_bench import (check, check_close, cube, polyline_text, read_ply, read_polylines, run_test, write_grid, write_off)
 
 SOURCE = 84  # in the middle of the grid
 

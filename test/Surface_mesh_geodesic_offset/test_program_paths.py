@@ -4,18 +4,12 @@
 
 import math
 
-from program_bench import (A, B, HORIZONTAL, TILTED, chain_length, check, check_close, from_center, from_segment, run_test, vtk_readers)
+from program_bench import (A, B, HORIZONTAL, TILTED, chain_length, check, check_close, from_center, from_segment,
+                           read_polylines, run_test, vtk_readers)
 from test_program_picture import REACH, from_boundary, write_plate
 from test_program_vtk import read_vtk
 
 QUERIES = ((1.2, 2.3), (10.7, 8.9), (5, 5.3), (9.4, 7.2))
-
-
-def read_polylines(path):
-    with open(path) as file:
-        rows = [line.split() for line in file]
-    check(all(len(row) == 1 + 3 * int(row[0]) for row in rows), "numbers of points")
-    return [[tuple(float(x) for x in row[k:k + 3]) for k in range(1, len(row), 3)] for row in rows]
 
 
 def nearest_on_segment(p):

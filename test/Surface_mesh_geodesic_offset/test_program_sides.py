@@ -4,8 +4,7 @@
 
 import math
 
-from program_bench import HORIZONTAL, chain_length, check, check_close, polyline_text, run_test, write_grid, write_off
-from test_program_paths import read_polylines
+from program_bench import HORIZONTAL, chain_length, check, check_close, polyline_text, read_polylines, run_test, write_grid, write_off
 
 
 def rectangle(a, b, c, d, z=0.3):

@@ -6,9 +6,8 @@ the curves of the diagram."""
 import collections
 import math
 
-from program_bench import (HORIZONTAL, TILTED, check, check_close, from_center, from_segment, polyline_text, read_ply, run_test,
-                           vtk_readers)
-from test_program_paths import read_polylines
+from program_bench import (HORIZONTAL, TILTED, check, check_close, from_center, from_segment, polyline_text, read_ply,
+                           read_polylines, run_test, vtk_readers)
 from test_program_vtk import read_vtk
 
 FAR = (10.2, 2.1)  # a point source away from the segment

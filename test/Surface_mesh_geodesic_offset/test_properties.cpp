@@ -763,7 +763,7 @@ GEODESIC_OFFSET_TEST(test_properties)
 {
   const Names eight = {"rectangle", "grid", "box", "saddle", "icosphere", "genus 5", "torus", "L"};
   const Names few = {"torus", "icosphere", "cube", "needles", "tiny faces", "saddle", "jittered grid"};
-  const Names small(std::begin(small_data_meshes), std::end(small_data_meshes));
+  const Names small = small_data_meshes();
   const Names data = {"eight.off", "anchor.off",    "elephant.off", "sphere966.off", "cube-meshed.off",     "head.off",
                       "rotor.off", "mask_cone.off", "patch-01.off", "blobby.off",    "mesh_with_border.off"};
   const std::vector<Property> properties = {

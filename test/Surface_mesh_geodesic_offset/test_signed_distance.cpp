@@ -95,16 +95,11 @@ void random_polylines()
       {
         Report::instance().set_context(std::string(soup.first) + (closed ? ", closed" : ", open") + ", seed " +
                                        std::to_string(seed));
-        try
-        {
+        guarded([&] {
           Planar_mesh plane(soup.second, seed);
           const auto path = plane.generator.random_path(closed ? 2 + seed % 5 : 1 + seed % 6, closed);
           compare_with_plane(plane, path, closed, totals);
-        }
-        catch (const std::exception& e)
-        {
-          CHECK_DETAIL(!"an exception was thrown", e.what());
-        }
+        });
       }
   std::cout << totals.signs << " signs, " << totals.undecided << " on a line between two sides, " << totals.caps
             << " beyond ends; worst relative error of the distance " << totals.error.error() << "; " << totals.pieces
