@@ -119,14 +119,7 @@ private:
 template <class ClosedForm>
 void run(const std::string& name, const Soup& soup, const ClosedForm& closed_form, unsigned seed)
 {
-  try
-  {
-    Case<ClosedForm>(name, soup, closed_form, seed).run();
-  }
-  catch (const std::exception& e)
-  {
-    CHECK_DETAIL(!"an exception was thrown", e.what());
-  }
+  guarded([&] { Case<ClosedForm>(name, soup, closed_form, seed).run(); });
 }
 
 } // namespace test_closed_forms

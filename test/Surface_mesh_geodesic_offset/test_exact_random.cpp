@@ -288,16 +288,11 @@ GEODESIC_OFFSET_TEST(test_exact_random)
     {
       if (is_verbose) std::cout << name << (is_rotated ? ", rotated" : "") << std::flush;
       const auto start = std::chrono::steady_clock::now();
-      try
-      {
+      guarded([&] {
         Comparison(name + " " + std::to_string(seed) + (is_rotated ? ", rotated" : ""), is_rotated ? rotated(soup, seed) : soup,
                    seed, totals)
           .run();
-      }
-      catch (const std::exception& e)
-      {
-        CHECK_DETAIL(!"an exception was thrown", e.what());
-      }
+      });
       if (is_verbose)
         std::cout << ": " << std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() << " s"
                   << std::endl;
