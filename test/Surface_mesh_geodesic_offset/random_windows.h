@@ -224,14 +224,13 @@ private:
       if (nearest != last || uniform(random_) < 0.2) // or repeat the image, as behind a flat vertex
       {
         const Image& m = images[nearest];
-        Window w{m.x,      m.y,          m.sigma,
-                 b0,       b1,           m.at(b0),
-                 m.at(b1), source_ref(), Window::make_bits(m.is_parallel, CGAL::Geodesic_offset::internal::no_index)};
-        if (!windows.empty()) windows.back().b1 = b0;
+        const Window w({m.x, m.y, m.sigma, 0, 0, source_ref(),
+                        Window::make_bits(m.is_parallel, CGAL::Geodesic_offset::internal::no_index)},
+                       b0, b1);
+        if (!windows.empty()) windows.back().set_end(b0, windows.back().distance_at(b0));
         windows.push_back(w);
       }
-      windows.back().b1 = b1;
-      windows.back().d1 = images[nearest].at(b1);
+      windows.back().set_end(b1, images[nearest].at(b1));
       last = nearest;
     }
     const Index h = 3 * face_ + Index(k);

@@ -54,10 +54,6 @@ struct Traits : Package_traits
   {
     Image_2 operator()(double x, double y, double sigma, bool, double, double, double, double) const { return {x, y, sigma}; }
   };
-  struct Construct_exit_2 : Package_traits::Construct_exit_2
-  {
-    std::optional<Exit_2> operator()(double, double, double, bool, double, double, double, double, double) const { return {}; }
-  };
   struct Compute_distance_2 : Package_traits::Compute_distance_2
   {
     double operator()(double, double, double, bool, double, double) const { return 0; }

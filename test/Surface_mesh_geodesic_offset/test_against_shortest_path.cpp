@@ -132,8 +132,9 @@ void compare(const test::Surface_mesh& mesh, const Path_locations& sources, cons
     {
       const Vertex_index v = check.locations.support(l).front().first;
       CHECK(geodesic.distance_to_sources(v) == d);
-      CHECK(without_windows.distance_to_sources(v) == d);
-      CHECK(without_windows.distance_to_sources(l) == d);
+      // of paths that tie, a list that is not reduced keeps all
+      CHECK_CLOSE(worst_without, without_windows.distance_to_sources(v), d);
+      CHECK(without_windows.distance_to_sources(l) == without_windows.distance_to_sources(v));
       check(geodesic, v);
       check_without_windows(check, without_windows, v, path, totals);
     }

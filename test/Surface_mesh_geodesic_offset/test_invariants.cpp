@@ -114,7 +114,7 @@ void part_asleep()
   CHECK(state.parts.of_face(last_face) != state.parts.of_face(0));
   state.move_to(7);
   CHECK(is_stopped([&] { state.schedule(last_face); }, "is_awake"));
-  const Window w{0.1, -1, 0, 0, 0.1, 1, 1, Source_ref(0, CGAL::Source_side::NONE), 0};
+  const Window w({0.1, -1, 0, 0, 0, Source_ref(0, CGAL::Source_side::NONE), 0}, 0, 0.1);
   CHECK(is_stopped([&] { state.append(3 * last_face, w); }, "is_awake"));
   state.awake_part(state.parts.of_face(last_face));
   state.schedule(last_face);
@@ -131,10 +131,8 @@ void unsorted_list()
   std::vector<Window> windows;
   for (int i = 0; i < 4; ++i)
   {
-    Window w{length / 2, -1, 0, length * i / 4, length * (i + 1) / 4, 0, 0, Source_ref(0, CGAL::Source_side::NONE), 0};
-    w.d0 = w.distance_at(w.b0);
-    w.d1 = w.distance_at(w.b1);
-    windows.push_back(w);
+    windows.push_back(Window({length / 2, -1, 0, 0, 0, Source_ref(0, CGAL::Source_side::NONE), 0}, length * i / 4,
+                             length * (i + 1) / 4));
   }
   Batch_propagation<Traits> propagate(*front.state, traits);
   const auto run = [&] {

@@ -24,7 +24,6 @@
 #include <iterator>
 #include <limits>
 #include <map>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -249,7 +248,9 @@ void pairs_are_two_numbers()
         check(p.swapped(), b, a);
         check(p.both_first(), a, a);
         check(p.both_second(), b, b);
-        CGAL::Geodesic_offset::internal::Window<FT> w{a, b, c, a, b, c, a, {}, 0};
+        CGAL::Geodesic_offset::internal::Window<FT> w;
+        w.x = a;
+        w.y = b;
         check(Pair::of(w.x, w.y), a, b);
         q.put(w.b0, w.b1);
         check(Pair(w.b0, w.b1), c, a);
@@ -261,18 +262,17 @@ void pairs_are_two_numbers()
 
 typedef CGAL::Surface_mesh_geodesic_offset_traits<Kernel, test::Surface_mesh> Package_traits;
 
-// Derived traits whose exits have no tag.
-struct Without_pair_exits : Package_traits
+// Derived traits whose changes of frames have no tag.
+struct Without_pair_frames : Package_traits
 {
-  struct Construct_exit_2
+  struct Change_frame_2
   {
-    std::optional<Exit_2> operator()(double x, double y, double sigma, bool is_parallel, double b, double d, double c, double s,
-                                     double length) const
+    Image_2 operator()(double x, double y, double sigma, bool is_parallel, double ox, double oy, double c, double s) const
     {
-      return Package_traits().construct_exit_2_object()(x, y, sigma, is_parallel, b, d, c, s, length);
+      return Package_traits().change_frame_2_object()(x, y, sigma, is_parallel, ox, oy, c, s);
     }
   };
-  Construct_exit_2 construct_exit_2_object() const { return Construct_exit_2(); }
+  Change_frame_2 change_frame_2_object() const { return Change_frame_2(); }
 };
 
 // Derived traits whose distances have the tag Tag_false.
@@ -300,8 +300,8 @@ void pairs()
   static_assert(Has_pair_children<Longer_traits>::value && Has_pair_distances<Longer_traits>::value, "of long double");
   static_assert(!Has_pair_children<Long_traits>::value && !Has_pair_distances<Long_traits>::value, "not of CGAL::Gmpfr");
   static_assert(!Has_pair_children<Archetype>::value && !Has_pair_distances<Archetype>::value, "no tag");
-  static_assert(!Has_pair_children<Without_pair_exits>::value && Has_pair_distances<Without_pair_exits>::value,
-                "no tag of exits");
+  static_assert(!Has_pair_children<Without_pair_frames>::value && Has_pair_distances<Without_pair_frames>::value,
+                "no tag of frames");
   static_assert(Has_pair_children<Without_pair_distances>::value && !Has_pair_distances<Without_pair_distances>::value,
                 "Tag_false");
   pairs_are_two_numbers<double>();
@@ -321,7 +321,7 @@ void pairs()
       for (std::size_t i = 0; i < expected.size(); ++i)
         CHECK_CLOSE(worst, geodesic.distance_to_sources(data.vertices[i]), expected[i]);
     };
-    check_equal(Without_pair_exits());
+    check_equal(Without_pair_frames());
     check_equal(Without_pair_distances());
   }
 }

@@ -146,7 +146,7 @@ def check_checks(texts):
     first, second = INTERNAL + "mesh/Unfolded_mesh.h", INTERNAL + "windows/Window.h"
     functions = INTERNAL + "memory/prefetch.h"
     number, signs = NUMBERS + ".h", NUMBERS + "/internal/Radical_sign.h"
-    for name, text in ((second, texts[second].replace("Window\n{", "Other\n{")),
+    for name, text in ((second, texts[second].replace("struct Window ", "struct Other ")),
                        (functions, texts[functions].replace("\nnamespace CGAL", "\nstruct Prefetch\n{\n};\nnamespace CGAL", 1)),
                        (first, texts[first] + "#include <%s>\n" % second.replace("Window.h", "Lower_envelope.h")),
                        (first, texts[first] + "#include <%s/Geodesic_mesh.h>\n" % PACKAGE),

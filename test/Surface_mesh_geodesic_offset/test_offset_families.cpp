@@ -264,7 +264,7 @@ void one_propagation(const test::Surface_mesh& mesh, const Source_set& sources)
   }
 }
 
-// Counts exits of the front's rays from faces, so that a callback can measure the progress of the front.
+// Counts changes of frame, which propagated windows take, so that a callback can measure the progress of the front.
 struct Counting_traits : CGAL::Surface_mesh_geodesic_offset_traits<Kernel, test::Surface_mesh>
 {
   typedef CGAL::Surface_mesh_geodesic_offset_traits<Kernel, test::Surface_mesh> Base;
@@ -273,16 +273,16 @@ struct Counting_traits : CGAL::Surface_mesh_geodesic_offset_traits<Kernel, test:
     static std::size_t value = 0;
     return value;
   }
-  struct Construct_exit_2 : Base::Construct_exit_2
+  struct Change_frame_2 : Base::Change_frame_2
   {
     template <class... Arguments>
     auto operator()(Arguments&&... arguments) const
     {
       ++count();
-      return Base::Construct_exit_2::operator()(std::forward<Arguments>(arguments)...);
+      return Base::Change_frame_2::operator()(std::forward<Arguments>(arguments)...);
     }
   };
-  Construct_exit_2 construct_exit_2_object() const { return Construct_exit_2(); }
+  Change_frame_2 change_frame_2_object() const { return Change_frame_2(); }
 };
 
 struct Enough : std::exception

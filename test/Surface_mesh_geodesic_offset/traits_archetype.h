@@ -21,7 +21,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <optional>
 #include <type_traits>
 #include <utility>
 
@@ -179,15 +178,9 @@ public:
     FT x, y, sigma;
   };
 
-  struct Exit_2
-  {
-    FT t;
-    std::optional<FT> distance;
-  };
-
   struct Calls
   {
-    std::size_t apices = 0, frames = 0, entries = 0, exits = 0, distances = 0, comparisons = 0;
+    std::size_t apices = 0, frames = 0, entries = 0, distances = 0, comparisons = 0;
   };
 
 private:
@@ -256,23 +249,6 @@ public:
     using Functor::Functor;
   };
 
-  class Construct_exit_2 : public Functor
-  {
-  public:
-    std::optional<Exit_2> operator()(FT x, FT y, FT, bool is_parallel, FT b, FT, FT c, FT s, FT length) const
-    {
-      ++this->calls_.exits;
-      const FT den = s * (is_parallel ? x : x - b) - c * y;
-      if (!(den > 0)) return std::nullopt;
-      const FT t = -b * y / den;
-      return Exit_2{t < length ? t : length, std::nullopt};
-    }
-
-  private:
-    friend class Traits_archetype;
-    using Functor::Functor;
-  };
-
   class Compute_distance_2 : public Functor
   {
   public:
@@ -306,7 +282,6 @@ public:
   Construct_apices_2 construct_apices_2_object() const { return Construct_apices_2(*calls_); }
   Change_frame_2 change_frame_2_object() const { return Change_frame_2(*calls_); }
   Compare_entry_with_apex_2 compare_entry_with_apex_2_object() const { return Compare_entry_with_apex_2(*calls_); }
-  Construct_exit_2 construct_exit_2_object() const { return Construct_exit_2(*calls_); }
   Compute_distance_2 compute_distance_2_object() const { return Compute_distance_2(*calls_); }
   Compare_distance_2 compare_distance_2_object() const { return Compare_distance_2(*calls_); }
 

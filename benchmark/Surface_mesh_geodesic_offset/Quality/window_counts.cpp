@@ -47,11 +47,7 @@ Window seen_from_behind(const Window& window, double length)
   Window w = window;
   if (w.is_parallel()) w.sigma -= w.x * length;
   w.x = w.is_parallel() ? -w.x : length - w.x;
-  std::swap(w.b0, w.b1);
-  std::swap(w.d0, w.d1);
-  w.b0 = length - w.b0;
-  w.b1 = length - w.b1;
-  return w;
+  return Window(w, length - window.b1, length - window.b0);
 }
 
 std::size_t size_of_envelope(const Mesh& mesh, std::size_t source)
@@ -81,7 +77,8 @@ std::size_t size_of_envelope(const Mesh& mesh, std::size_t source)
     if (unfolded.source(h) == internal::no_index || twin < h) continue;
     const double length = unfolded[h].length;
     const auto& distance = build.field.distance;
-    const double allowance = internal::pruning_allowance<double>(distance[unfolded.source(h)] + length);
+    const double allowance =
+      internal::pruning_allowance<double>(distance[unfolded.source(h)] + length, unfolded.longest_edge());
     const internal::Window_pruning<double> pruning(length, distance[unfolded.source(h)], distance[unfolded.target(h)],
                                                    allowance);
     windows.clear();
@@ -89,9 +86,9 @@ std::size_t size_of_envelope(const Mesh& mesh, std::size_t source)
       Window w = whole;
       if (pruning.trim(w)) windows.push_back(w);
     };
-    build.field.kept.for_each(h, distance, build.field.source_ref, add);
+    build.field.kept.for_each(h, length, distance, build.field.source_ref, add);
     if (twin != internal::no_index)
-      build.field.kept.for_each(twin, distance, build.field.source_ref, [&](const Window& w) {
+      build.field.kept.for_each(twin, length, distance, build.field.source_ref, [&](const Window& w) {
         add(seen_from_behind(w, length));
       });
     const Window* const first = windows.data();

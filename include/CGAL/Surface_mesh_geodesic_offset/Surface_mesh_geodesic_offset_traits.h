@@ -19,7 +19,6 @@
 
 #include <array>
 #include <cmath>
-#include <optional>
 #include <type_traits>
 
 namespace CGAL {
@@ -32,17 +31,15 @@ namespace CGAL {
 All constructions use the arithmetic of the kernel's `FT`: they are rounded for a floating point type, and exact for an exact
 number type with square roots, such as that of `Exact_predicates_exact_constructions_kernel_with_sqrt`.
 
-If `FT` is `double`, computations use the predicates of `Exact_predicates_inexact_constructions_kernel`, whatever the kernel: the
-side tests are exact for the given coordinates, behind a floating point filter. Otherwise, and in derived classes that replace
-functors, the side tests are those of the kernel: exact if `FT` is `double` or `float` and the predicates of the kernel are exact.
-With `Simple_cartesian<float>` they are rounded and unguarded: rays that pass an apex within rounding may be sent through the
-wrong edge.
+If `FT` is `double`, computations use the predicates of `Exact_predicates_inexact_constructions_kernel`, whatever the kernel. With
+exact numbers, `Compare_entry_with_apex_2` decides on which side of a ray an apex lies. With others, bounding rays have directions,
+and a ray that passes an apex within rounding counts as a ray to the apex; the functor is not called.
 
 The points of the mesh may belong to another kernel, for example an exact one: their coordinates are converted, with
 `CGAL::to_double()` if `FT` is `double`.
 
-If `CGAL_PROFILE` is defined, also for the compiled library, the number of side tests, and of those that the filter left undecided, is printed when the
-program ends. Rays that pass the apex of a face at a distance beyond all rounding need no side test.
+If `CGAL_PROFILE` is defined, also for the compiled library, the number of calls of `Compare_entry_with_apex_2`, and of those that its
+filter left undecided, is printed when the program ends.
 
 \tparam K a \cgal kernel. Its `FT` is a floating point type, or a model of `FieldWithSqrt`.
 \tparam TriangleMesh a model of `FaceListGraph`
@@ -96,20 +93,6 @@ public:
   {
     FT_pair image; ///< abscissa and ordinate
     FT sigma;      ///< as in `Image_2`
-  };
-
-  /// the exit of a ray from a face
-  struct Exit_2
-  {
-    FT t;                       ///< distance of the exit from the start of the edge
-    std::optional<FT> distance; ///< distance from the sources, if it is accurate
-  };
-
-  /// the exits of two rays from a face
-  struct Exit_pair_2
-  {
-    FT_pair t;        ///< distances of the exits from the start of the edge
-    FT_pair distance; ///< distances from the sources
   };
 
   /*!
@@ -266,55 +249,6 @@ public:
   };
 
   /*!
-  Finds the exit of the ray of a window through \f$(b, 0)\f$ from the face, an end of the child's interval, on the left one of
-  the two other edges: that from the origin in the unit direction \f$(c, s)\f$. (The right edge is the mirror image.)
-
-  Let \f$D = s (X - bW) - c Y\f$. The ray meets the edge if \f$D > 0\f$, at the distance \f$-bY / D\f$ from the origin. Its
-  length grows by the fraction \f$sb / D\f$ (of its length up to \f$(b, 0)\f$ if \f$W = 1\f$, of the unit if \f$W = 0\f$).
-  Exact if `FT` is. Otherwise the exit has no distance, such that the distance comes from the image, if rounding has moved the exit
-  beyond the end of the edge; for \f$W = 1\f$ if the length has more than trebled, since growth preserves the relative error of a
-  point very near to the source; for \f$W = 0\f$ if the ray meets the edge at a grazing angle, \f$16 D < s\f$. In all other cases,
-  the product with the growth keeps the relative accuracy of a short path, and is more accurate than a distance computed from a far
-  image.
-  */
-  class Construct_exit_2
-  {
-  public:
-    /// `Tag_true` if `FT` is a floating point type: then there are operators for pairs
-    typedef Boolean_tag<std::is_floating_point<FT>::value> Has_pairs;
-
-    /// returns the exit if the ray meets the edge. `d` is the distance at `(b, 0)`.
-    BOOST_FORCEINLINE std::optional<Exit_2> operator()(const FT& x, const FT& y, const FT& sigma, bool is_parallel, const FT& b,
-                                                       const FT& d, const FT& c, const FT& s, const FT& length) const
-    {
-      const FT den = is_parallel ? FT(s * x - c * y) : FT(s * (x - b) - c * y);
-      if (!CGAL::is_positive(den)) return std::nullopt;
-      const FT inverse = FT(1) / den;
-      const FT t = -(b * y) * inverse;
-      // one square root of coordinates costs less than nested roots, which grow with each face
-      if constexpr (!Geodesic_offset::internal::Number_policy<FT>::is_inexact) return Exit_2{t, std::nullopt};
-      const FT growth = s * b * inverse;
-      if (t > length) return Exit_2{length, std::nullopt};
-      if (is_parallel ? s * inverse > FT(16) : growth > FT(2)) return Exit_2{t, std::nullopt};
-      return Exit_2{t, is_parallel ? FT(d + growth) : FT(d + (d - sigma) * growth)};
-    }
-
-    /// returns the exits of two rays, with `b` not negative, or nothing if one of them does not meet the edge, if its length is
-    /// more than doubled, or if it meets the edge at a grazing angle.
-    BOOST_FORCEINLINE std::optional<Exit_pair_2> operator()(const FT_pair& x, const FT_pair& y, const FT_pair& sigma,
-                                                            bool is_parallel, const FT_pair& b, const FT_pair& d,
-                                                            const FT_pair& c, const FT_pair& s, const FT_pair& length) const
-    {
-      const FT_pair den = s * (is_parallel ? x : x - b) - c * y, sb = s * b;
-      const FT_pair inverse = FT_pair(FT(-1)) / den; // negative, and so are y and the growth
-      const FT_pair growth = sb * inverse, t = b * y * inverse;
-      const FT_pair distance = is_parallel ? d - growth : d + (sigma - d) * growth;
-      if (((is_parallel ? s < FT_pair(FT(16)) * den : sb < den) & (t <= length)).bits() != 3) return std::nullopt;
-      return Exit_pair_2{t, distance};
-    }
-  };
-
-  /*!
   Computes the distance of a point \f$p\f$ on a ray of a window: \f$\sigma + |p - (X, Y)|\f$ for \f$W = 1\f$,
   \f$\sigma - (X, Y) \cdot p\f$ for \f$W = 0\f$. Exact if `FT` is.
   */
@@ -368,8 +302,6 @@ public:
   Change_frame_2 change_frame_2_object() const { return Change_frame_2(); }
   /// returns a functor of type `Compare_entry_with_apex_2`.
   Compare_entry_with_apex_2 compare_entry_with_apex_2_object() const { return Compare_entry_with_apex_2(); }
-  /// returns a functor of type `Construct_exit_2`.
-  Construct_exit_2 construct_exit_2_object() const { return Construct_exit_2(); }
   /// returns a functor of type `Compute_distance_2`.
   Compute_distance_2 compute_distance_2_object() const { return Compute_distance_2(); }
   /// returns a functor of type `Compare_distance_2`.

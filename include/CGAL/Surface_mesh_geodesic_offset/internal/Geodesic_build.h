@@ -108,8 +108,7 @@ private:
   template <class Concurrency_tag, unsigned parts>
   void run_front(const Traits& traits, Consumer_of<Concurrency_tag>& consumer);
 
-  void follow_ways_back();
-  void take_errors(const Window_merging<FT>& merging, const Merging_counts& counts);
+  void take_errors(const Merging_counts& counts);
 
   template <class Front>
   bool is_final(const Front& front, const Surface_point<FT>& p, const FT& distance) const;

@@ -140,8 +140,7 @@ void Geodesic_build<Traits>::run_front(const Traits& traits, Consumer_of<Concurr
   front.run(consumer, goes_on, m_first_new);
   maximum = front.maximum();
   if constexpr ((parts & MERGING) != 0)
-    if (front.merging().is_on()) take_errors(front.merging(), front.merging_counts());
-  if (!is_approximate() && front.has_bent_paths()) follow_ways_back();
+    if (front.merging().is_on()) take_errors(front.merging_counts());
   statistics.sign_decisions = Sign_decisions<FT>::all() - signs;
   statistics.exact_decisions = Sign_decisions<FT>::exact() - exact_signs;
   statistics.windows_created = front.counts().windows_created;
@@ -151,31 +150,15 @@ void Geodesic_build<Traits>::run_front(const Traits& traits, Consumer_of<Concurr
   field.path_length = Near_path<FT>(m_mesh, initial, field, !is_approximate()).lengths_at_vertices(maximum);
 }
 
-// Replaces directions at vertices by those of the traced paths, also where rounding hides the straight ones.
-template <class Traits>
-void Geodesic_build<Traits>::follow_ways_back()
-{
-  const Path_tracing<FT> paths(m_mesh, initial, field);
-  constexpr Index ahead = 16;
-  for (Index v = 0; v < m_mesh.number_of_vertices(); ++v)
-  {
-    if (v + ahead < m_mesh.number_of_vertices() && field.back[v + ahead].corner != no_index)
-      m_mesh.prefetch_face(field.back[v + ahead].corner);
-    const Backtrace<FT> spread = field.back[v];
-    if (paths.find_backtrace(v, field.back[v], field.source_ref[v]) && m_mesh.can_be_pseudo_source(v))
-      field.back_of_sector.emplace(v, spread);
-  }
-}
-
 // Stores the errors of merged windows. A merged window has no pseudo-source, so the backtrace ends at its image.
 template <class Traits>
-void Geodesic_build<Traits>::take_errors(const Window_merging<FT>& merging, const Merging_counts& counts)
+void Geodesic_build<Traits>::take_errors(const Merging_counts& counts)
 {
   statistics.windows_merged = counts.windows_merged;
   statistics.error_bound = counts.error_bound;
   statistics.relative_error_bound = counts.relative_error_bound;
   field.error.resize(field.back.size());
-  for (std::size_t v = 0; v < field.error.size(); ++v) field.error[v] = merging.error_of_origin(field.back[v].pseudo_source);
+  for (std::size_t v = 0; v < field.error.size(); ++v) field.error[v] = field.error_of_origin(field.back[v].pseudo_source);
   for (Backtrace<FT>& back : field.back)
     if (Merge_error_code::is_merged(back.pseudo_source)) back.pseudo_source = no_index;
 }

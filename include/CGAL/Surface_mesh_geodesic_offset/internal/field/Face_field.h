@@ -57,7 +57,7 @@ public:
   {
     start(face);
     for (int k = 0; k < 3; ++k)
-      m_field.for_each_window(3 * face + Index(k), [&](const Window<FT>& w) {
+      m_field.for_each_window(m_mesh, 3 * face + Index(k), [&](const Window<FT>& w) {
         if (const FT lowest = minimum(w); may_be_less(lowest, limit)) add_window(w, k, lowest);
       });
     add_local_windows();
@@ -74,7 +74,8 @@ public:
     for (int k = 0; k < 3; ++k)
     {
       const Point q = m_frame.vector_to_halfedge(k, p - m_frame.corner(k));
-      m_field.kept.for_each_within(3 * face + Index(k), m_field.distance, m_field.source_ref, q, limit,
+      m_field.kept.for_each_within(3 * face + Index(k), m_mesh[3 * face + Index(k)].length, m_field.distance,
+                                   m_field.source_ref, q, error_of_rays(m_mesh, FT(distance + m_size)), limit,
                                    [&](const Window<FT>& w) { add_window(w, k, minimum(w)); });
       if (m_field.distance[m_mesh.source(3 * face + Index(k))] + length(p - m_frame.corner(k)) <= limit) add_corner(k);
     }
@@ -115,10 +116,6 @@ public:
 
   // True for two finite distances that are equal up to rounding.
   bool tie(const FT& d, const FT& e) const { return CGAL::abs(d - e) <= rounding_of((std::min)(d, e)); }
-
-  // True if d equals e up to rounding, or may be the distance along a ray in a margin or a closed gap, which is up to 256 u of
-  // the distances and an edge larger (Lower_envelope::close_gap).
-  bool tie_in_margin(const FT& d, const FT& e) const { return d - e <= FT(8) * rounding_of(e); }
 
   bool is_cap(std::size_t i) const { return m_windows[i].source_ref.side() == Source_side::CAP; }
 
@@ -176,9 +173,8 @@ private:
     if (!m_mesh.can_be_pseudo_source(v)) return add_cone(k, d, FT(0), FT(0));
     if (m_mesh.has_several_fans(v) || !has_direction) return add_cone(k, d, FT(0), m_frame.edge_length((k + 1) % 3));
     const Vertex_sector<FT> sector(m_mesh);
-    const Ray_at_vertex<FT> back = m_field.backtrace_of_sector(v).ray();
-    FT left(0), right(0), margin_left(0), margin_right(0);
-    const auto add_part = [&](const auto& from, const auto& to, Index first, FT& part_left, FT& part_right) {
+    FT left(0), right(0);
+    sector.for_each_sector_behind(m_field.back[v].ray(), [&](const auto& from, const auto& to, Index first) {
       const FT length = m_frame.edge_length((k + 1) % 3);
       const Ray_at_vertex<FT>*lower, *upper;
       if (!sector.part_in_corner(from, to, first, h, lower, upper)) return;
@@ -186,18 +182,10 @@ private:
       const FT l = upper ? FT(length - sector.exit_of_ray(h, *upper)) : length;
       if (!(r < l)) return;
       // At a border vertex both sectors may lie in one corner; one cone then covers both.
-      part_right = part_left > FT(0) ? (std::min)(part_right, r) : r;
-      part_left = (std::max)(part_left, l);
-    };
-    sector.for_each_sector_behind(back, [&](const auto& from, const auto& to, Index first) {
-      add_part(from, to, first, left, right);
+      right = left > FT(0) ? (std::min)(right, r) : r;
+      left = (std::max)(left, l);
     });
     add_cone(k, d, right, left);
-    sector.for_each_margin_behind(back, m_field.has_margins[v], FT(0), [&](const auto& from, const auto& to, Index first) {
-      margin_left = margin_right = FT(0);
-      add_part(from, to, first, margin_left, margin_right);
-      if (margin_right < margin_left) add_cone(k, d + FT(2) * sector.margin_surcharge(d + m_size), margin_right, margin_left);
-    });
   }
 
   // Adds the rays from corner k between two points of the opposite edge. d is the distance of the corner.
@@ -220,6 +208,12 @@ private:
     f.sigma = w.is_parallel() ? FT(w.sigma + dot(s, m_frame.corner(k))) : w.sigma;
     f.left = m_frame.on_edge(k, w.b0);
     f.right = m_frame.on_edge(k, w.b1);
+    if constexpr (Number_policy<FT>::is_inexact)
+      if (!w.is_parallel())
+      {
+        f.to = m_frame.vector_from_halfedge(k, {w.t0, FT(1)});
+        f.from = m_frame.vector_from_halfedge(k, {w.t1, FT(1)});
+      }
     f.source_ref = w.source_ref;
     f.bits = w.bits & ~2u;
     f.origin = Face_window_origin(k);

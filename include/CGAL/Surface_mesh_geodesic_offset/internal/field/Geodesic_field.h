@@ -9,6 +9,7 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/field/Kept_windows.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Merge_error_code.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window_lists.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Unfolded_mesh.h>
 
@@ -49,28 +50,25 @@ class Geodesic_field
 public:
   typedef CGAL::Geodesic_offset::internal::Window<FT> Window;
 
-  FT maximum = Number_policy<FT>::infinity();    // distances up to this value are final after the build
-  std::vector<FT> distance;                      // per vertex
-  std::vector<Backtrace<FT>> back;               // per vertex
-  std::map<Index, Backtrace<FT>> back_of_sector; // of pseudo-sources whose backtrace changed after the build
-  std::map<Index, FT> path_length;               // of vertices near sources, see Near_path.h
-  std::vector<Source_ref> source_ref;            // per vertex
-  std::vector<char> has_margins;                 // per vertex: true if rays start in the margins of its sectors
-  std::vector<double> error;                     // per vertex, with bounded error: largest excess of the true distance
-  Window_lists<FT> lists;                        // of halfedges in the front
-  Kept_windows<FT> kept;                         // of finalized faces, if kept
-  Start_values<FT> start_values;                 // of the source primitives
+  FT maximum = Number_policy<FT>::infinity(); // distances up to this value are final after the build
+  std::vector<FT> distance;                   // per vertex
+  std::vector<Backtrace<FT>> back;            // per vertex
+  std::map<Index, FT> path_length;            // of vertices near sources, see Near_path.h
+  std::vector<Source_ref> source_ref;         // per vertex
+  std::vector<double> error;                  // per vertex, with bounded error: largest excess of the true distance
+  Window_lists<FT> lists;                     // of halfedges in the front
+  Kept_windows<FT> kept;                      // of finalized faces, if kept
+  Start_values<FT> start_values;              // of the source primitives
 
   // Initializes from another field and its windows. `other` must stay valid until release_front().
   void start_from(const Geodesic_field& other, const Start_values<FT>& starts)
   {
     distance = other.distance;
     back = other.back;
-    for (const auto& b : other.back_of_sector) back[b.first] = b.second;
     source_ref = other.source_ref;
-    has_margins = other.has_margins;
     kept = other.kept;
     set_start_values(starts);
+    m_mesh = other.m_mesh;
     m_before = &other;
     m_add_earlier = &Geodesic_field::add_earlier_windows; // compiled only with updates
   }
@@ -78,11 +76,10 @@ public:
   // Sets all distances to infinity.
   void clear(const Unfolded_mesh<FT>& mesh, const Start_values<FT>& starts)
   {
+    m_mesh = &mesh;
     distance.assign(mesh.number_of_vertices(), Number_policy<FT>::infinity());
     back.assign(mesh.number_of_vertices(), Backtrace<FT>());
     source_ref.assign(mesh.number_of_vertices(), Source_ref());
-    has_margins.assign(mesh.number_of_vertices(), 0);
-    back_of_sector.clear();
     path_length.clear();
     kept = Kept_windows<FT>();
     set_start_values(starts);
@@ -99,12 +96,20 @@ public:
   // List of a halfedge. A new list starts with the windows of the earlier field, marked as propagated at the distances that
   // their pseudo-sources had in that field.
   Window_list<FT>& list(Index h) { return list(h, lists.arena(0)); }
-  Window_list<FT>& list(Index h, Window_arena<Window>& arena)
+  Window_list<FT>& list(Index h, typename Window_lists<FT>::Arena& arena)
   {
     if (Window_list<FT>* const known = lists.find(h)) return *known;
     Window_list<FT>& list = lists.create(h);
     if (BOOST_UNLIKELY(m_add_earlier != nullptr)) (this->*m_add_earlier)(h, list, arena);
     return list;
+  }
+
+  // With bounded error: that of the distance of a vertex or window with the given origin. If the distance of a pseudo-source has
+  // decreased since, its new error is valid for the old distance too.
+  double error_of_origin(Index origin) const
+  {
+    while (origin != no_index && !Merge_error_code::is_merged(origin)) origin = back[origin].pseudo_source;
+    return origin == no_index ? 0 : Merge_error_code::error(origin);
   }
 
   // The distance of a vertex as the result of a query: near a source, the length of the path.
@@ -113,14 +118,6 @@ public:
     if (BOOST_LIKELY(path_length.empty())) return distance[v];
     const auto found = path_length.find(v);
     return found == path_length.end() ? distance[v] : found->second;
-  }
-
-  // The backtrace that bounds the sector of a pseudo-source.
-  const Backtrace<FT>& backtrace_of_sector(Index v) const
-  {
-    if (BOOST_LIKELY(back_of_sector.empty())) return back[v];
-    const auto found = back_of_sector.find(v);
-    return found == back_of_sector.end() ? back[v] : found->second;
   }
 
   // True for a vertex whose shortest path has no length: it is a point of its nearest source.
@@ -142,21 +139,21 @@ public:
 
   // Calls f(window) for each final window of a halfedge, in order.
   template <class Function>
-  void for_each_window(Index h, const Function& f) const
+  void for_each_window(const Unfolded_mesh<FT>& mesh, Index h, const Function& f) const
   {
     if (lists.has(h))
     {
       const Window_list<FT>& list = lists.get(h);
-      for (Index i = 0; i < list.processed; ++i) f(list.data[i]);
+      for (Index i = 0; i < list.processed; ++i) f(restored(list.data[i], mesh[h].length));
     }
-    else kept.for_each(h, distance, source_ref, f);
+    else kept.for_each(h, mesh[h].length, distance, source_ref, f);
   }
 
 private:
   // Out of line: its window on the stack would align the stack frame of every append.
-  BOOST_NOINLINE void add_earlier_windows(Index h, Window_list<FT>& list, Window_arena<Window>& arena)
+  BOOST_NOINLINE void add_earlier_windows(Index h, Window_list<FT>& list, typename Window_lists<FT>::Arena& arena)
   {
-    kept.for_each(h, m_before->distance, m_before->source_ref, [&](const Window& w) {
+    kept.for_each(h, (*m_mesh)[h].length, m_before->distance, m_before->source_ref, [&](const Window& w) {
       lists.append(h, list, &w, 1, arena);
       list.data[list.processed++].set_propagated();
     });
@@ -168,8 +165,9 @@ private:
     kept.set_start_values(starts);
   }
 
+  const Unfolded_mesh<FT>* m_mesh = nullptr; // until release_front()
   const Geodesic_field* m_before = nullptr;
-  void (Geodesic_field::*m_add_earlier)(Index, Window_list<FT>&, Window_arena<Window>&) = nullptr;
+  void (Geodesic_field::*m_add_earlier)(Index, Window_list<FT>&, typename Window_lists<FT>::Arena&) = nullptr;
 };
 
 } // namespace CGAL::Geodesic_offset::internal

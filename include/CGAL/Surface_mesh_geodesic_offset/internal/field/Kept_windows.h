@@ -15,6 +15,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/window_allowance.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window_lists.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Per_corner.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Unfolded_mesh.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/workers/Concurrency.h>
 
 #include <CGAL/assertions.h>
@@ -31,14 +32,13 @@
 
 namespace CGAL::Geodesic_offset::internal {
 
-// Lengths of the paths to a point of a face through the windows that enter the face.
+// The nearest window for a point of a face, of those that enter the face.
 template <class FT>
 struct Nearest_kept_window
 {
   FT straight = Number_policy<FT>::infinity(); // shortest path along a ray
-  FT bent = Number_policy<FT>::infinity();     // shortest path around the end of a window
-  Index window = no_index;                     // of the straight path, for Kept_windows::rays_of_window()
-  int halfedge = 0;                            // of the face, 0 to 2; this window enters through it
+  Index window = no_index;                     // of this path, for Kept_windows::rays_of_window()
+  int halfedge = 0;                            // of the face, 0 to 2, through which it enters
 };
 
 template <class FT>
@@ -46,6 +46,7 @@ class Kept_windows
 {
 public:
   typedef CGAL::Geodesic_offset::internal::Window<FT> Window;
+  typedef Stored_window<FT> Rays;
 
   bool is_empty() const { return m_begin.empty(); }
 
@@ -56,8 +57,9 @@ public:
   // window is nowhere shortest. The layout in memory does not depend on the number of threads.
   template <class Team>
   void keep(const std::vector<Index>& faces, const Window_lists<FT>& lists, const std::vector<FT>& distance,
-            std::size_t number_of_faces, Team& team)
+            const Unfolded_mesh<FT>& mesh, Team& team)
   {
+    const std::size_t number_of_faces = mesh.number_of_faces();
     if (m_begin.empty()) m_begin.assign(4 * number_of_faces, 0);
     CGAL_assertion(m_begin.size() == 4 * number_of_faces);
     const std::size_t at_once = items_at_once(team.size());
@@ -68,18 +70,20 @@ public:
       const Index number = Index((std::min)(at_once, faces.size() - first));
       const auto weight = [](Index) { return std::size_t(1); };
       team.for_each(number, weight, number >= worthwhile,
-                    [&](unsigned, Index i) { places[i] = this->count(face[i], lists, distance); });
+                    [&](unsigned, Index i) { places[i] = this->count(face[i], lists, distance, mesh); });
       for (Index i = 0; i < number; ++i) make_room(face[i], places[i]);
       team.for_each(number, weight, number >= worthwhile,
-                    [&](unsigned, Index i) { this->put(face[i], places[i], lists, distance); });
+                    [&](unsigned, Index i) { this->put(face[i], places[i], lists, distance, mesh); });
     }
   }
 
-  // Calls f(window) for the windows of a halfedge, in order. `distance` and `source_ref` belong to the field, per vertex.
+  // Calls f(window) for the windows of a halfedge of the given length, in order. `distance` and `source_ref` belong to the field,
+  // per vertex.
   template <class Function>
-  void for_each(Index h, const std::vector<FT>& distance, const std::vector<Source_ref>& source_ref, const Function& f) const
+  void for_each(Index h, const FT& length, const std::vector<FT>& distance, const std::vector<Source_ref>& source_ref,
+                const Function& f) const
   {
-    for_each_packed(h, [&](const Packed& p) { f(unpack(p, distance, source_ref)); });
+    for_each_packed(h, [&](const Packed& p) { f(this->unpack(p, length, distance, source_ref)); });
   }
 
   // Software prefetch of the windows of a face.
@@ -91,16 +95,15 @@ public:
   }
 
   // Finds the nearest window for a point of a face; q[k] is the point in the frame of halfedge k. Rounding may move the point
-  // out of all cones. Therefore a window is a candidate if the point is in its cone or at most `allowance` (a length) beside
-  // it. Two consecutive windows are candidates if the point is between their cones.
+  // out of all cones, so a window counts if the point is in its cone or at most `allowance` (a length) beside it.
   void find_nearest(Index face, const Per_corner<Point_in_face<FT>>& q, const FT& allowance, const std::vector<FT>& distance,
                     Nearest_kept_window<FT>& nearest) const
   {
     if (m_begin.empty()) return;
     const Index* begin = &m_begin[4 * face];
+    Nearest_kept_window<FT> beside;
     enum { block = 64 };
-    Index candidate[2 * block]; // filled without branches, which are unpredictable here
-    int was_beyond = 0, last_halfedge = 0;
+    Index candidate[block]; // filled without branches, which are unpredictable here
     for (Index i = begin[0], n = begin[3]; i < n;)
     {
       const Index size = (std::min)({Index(n - i), Index(page_size - i % page_size), Index(block)});
@@ -108,52 +111,37 @@ public:
       Index count = 0;
       for (Index j = 0; j < size; ++j)
       {
-        const Packed& w = p[j];
-        const int k = halfedge_of(begin, i + j);
-        const Point_in_face<FT>& s = q[k];
-        const FT height = w.bits & 1u ? FT(-w.y) : FT(s.y - w.y);
-        // The ray to the point enters the face at entry / height; multiplication avoids the division.
-        const FT entry = w.x * s.y - s.x * w.y, off = allowance * height;
-        const int is_before = int(entry < w.b0 * height - off), is_beyond = int(entry > w.b1 * height + off);
-        const int is_in_gap = was_beyond & is_before & int(k == last_halfedge);
-        candidate[count] = i + j - 1;
-        count += Index(is_in_gap);
         candidate[count] = i + j;
-        count += Index(is_in_gap | int((is_before | is_beyond) == 0));
-        was_beyond = is_beyond;
-        last_halfedge = k;
+        count += Index(is_near(p[j], q[halfedge_of(begin, i + j)], allowance));
       }
       for (Index j = 0; j < count; ++j)
       {
         const int k = halfedge_of(begin, candidate[j]);
-        bool is_straight;
-        const FT d = path_length(at(candidate[j]), distance, q[k], is_straight);
-        if (!is_straight) nearest.bent = (std::min)(nearest.bent, d);
-        else if (d < nearest.straight)
-        {
-          nearest.straight = d;
-          nearest.window = candidate[j];
-          nearest.halfedge = k;
-        }
+        const FT d = distance_at(at(candidate[j]), distance, q[k], allowance);
+        Nearest_kept_window<FT>& n = is_near(at(candidate[j]), q[k], FT(0)) ? nearest : beside;
+        if (d < n.straight) n = {d, candidate[j], k};
       }
       i += size;
     }
+    // The rays of a window lead to the points between them. Those that pass beside it are for gaps by rounding.
+    if (beside.straight + allowance < nearest.straight) nearest = beside;
   }
 
-  // Window i without the distances at its ends.
-  Window rays_of_window(Index i, const std::vector<FT>& distance, const std::vector<Source_ref>& source_ref) const
+  // The rays of window i.
+  Rays rays_of_window(Index i, const std::vector<FT>& distance, const std::vector<Source_ref>& source_ref) const
   {
     return unpack_rays(at(i), distance, source_ref);
   }
 
-  // Calls f(window) for each window of a halfedge with a path to q that is no longer than `limit`.
+  // Calls f(window) for each window of a halfedge of the given length with a ray that passes q by at most
+  // `allowance` and at a distance of at most `limit`.
   template <class Function>
-  void for_each_within(Index h, const std::vector<FT>& distance, const std::vector<Source_ref>& source_ref,
-                       const Point_in_face<FT>& q, const FT& limit, const Function& f) const
+  void for_each_within(Index h, const FT& length, const std::vector<FT>& distance, const std::vector<Source_ref>& source_ref,
+                       const Point_in_face<FT>& q, const FT& allowance, const FT& limit, const Function& f) const
   {
     for_each_packed(h, [&](const Packed& p) {
-      bool is_straight;
-      if (path_length(p, distance, q, is_straight) <= limit) f(unpack(p, distance, source_ref));
+      if (is_near(p, q, allowance) && this->distance_at(p, distance, q, allowance) <= limit)
+        f(this->unpack(p, length, distance, source_ref));
     });
   }
 
@@ -189,7 +177,7 @@ private:
   // parallel-source window and of a merged window is stored in m_sigma.
   struct Packed
   {
-    FT x, y, b0, b1;
+    FT x, y, end[2];        // the bounding rays; with exact numbers, the interval
     Index source_ref_value; // not a Source_ref, so that new pages need no initialization
     Index bits; // bit 0: parallel; bit 31: merged; the others: index of sigma, or 1 + pseudo-source vertex, 0 if none
 
@@ -202,6 +190,7 @@ private:
     bool is_merged() const { return bits & merged_flag; }
     Index value() const { return (bits & ~merged_flag) >> 1; }
   };
+  static constexpr bool is_inexact = Number_policy<FT>::is_inexact;
   enum { page_size = 4096 };
   static constexpr std::size_t worthwhile = 8; // faces; for fewer faces, the wake-up of other threads costs more than it saves
   static constexpr Index merged_flag = 1u << 31; // sigma is followed by the error bound
@@ -216,7 +205,7 @@ private:
   };
 
   // The numbers of windows to store: those of the lists, or the stored ones of halfedges without a list.
-  Place count(Index face, const Window_lists<FT>& lists, const std::vector<FT>& distance) const
+  Place count(Index face, const Window_lists<FT>& lists, const std::vector<FT>& distance, const Unfolded_mesh<FT>& mesh) const
   {
     Place p;
     for (int k = 0; k < 3; ++k)
@@ -229,9 +218,9 @@ private:
       }
       const Window_list<FT>& list = lists.get(h);
       Index outdated = 0;
-      for (const Window *w = list.data, *const end = w + list.processed; w != end; ++w)
+      for (auto *w = list.data, *const end = w + list.processed; w != end; ++w)
         if (stores_sigma(*w)) p.sigma += 1 + Index(w->is_merged());
-        else outdated += Index(is_outdated(*w, distance));
+        else outdated += Index(is_outdated(*w, distance, mesh[h].length));
       p.windows[k] = list.processed - outdated;
       p.has_outdated = p.has_outdated || outdated != 0;
     }
@@ -272,7 +261,8 @@ private:
 
   static void complain() { throw std::length_error("Surface_mesh_geodesic_offset: too many windows to be kept"); }
 
-  void put(Index face, const Place& p, const Window_lists<FT>& lists, const std::vector<FT>& distance)
+  void put(Index face, const Place& p, const Window_lists<FT>& lists, const std::vector<FT>& distance,
+           const Unfolded_mesh<FT>& mesh)
   {
     Index place = p.windows[0], sigma = p.sigma;
     Packed *out = nullptr, *page_end = nullptr;
@@ -289,8 +279,8 @@ private:
       if (lists.has(h))
       {
         const Window_list<FT>& list = lists.get(h);
-        for (const Window *w = list.data, *const end = w + list.processed; w != end; ++w)
-          if (!(p.has_outdated && is_outdated(*w, distance))) pack(*w, next(), sigma);
+        for (auto *w = list.data, *const end = w + list.processed; w != end; ++w)
+          if (!(p.has_outdated && is_outdated(*w, distance, mesh[h].length))) pack(*w, next(), sigma);
       }
       else
         for (Index i = first(h), n = last(h); i < n; ++i) next() = at(i);
@@ -318,28 +308,69 @@ private:
     return value == 0 ? m_start_values.of(p.source_ref()) : distance[value - 1];
   }
 
-  FT path_length(const Packed& p, const std::vector<FT>& distance, const Point_in_face<FT>& q, bool& is_straight) const
+  // Precondition: is_near(). Infinity if q lies behind the source of parallel rays, or before the point where the bounding ray
+  // beside it enters the face, by more than `allowance`.
+  FT distance_at(const Packed& p, const std::vector<FT>& distance, const Point_in_face<FT>& q, const FT& allowance) const
   {
-    const Point_in_face<FT> image{p.x, p.y}, left{p.b0, FT(0)}, right{p.b1, FT(0)};
-    const FT s = sigma(p, distance);
-    return Rays_through_chord<FT>{image, bool(p.bits & 1u), s, left, right}.path_length(q, is_straight);
+    const Window_rays<FT> w{p.x, p.y, sigma(p, distance), p.end[0], p.end[1], Source_ref(), p.bits & 1u};
+    const FT d = w.distance_at(q.x, q.y);
+    if constexpr (is_inexact)
+    {
+      FT least = FT(0);
+      if (w.is_parallel()) least = m_start_values.of(p.source_ref());
+      else
+      {
+        const FT along = q.x - w.x, height = q.y - w.y;
+        const bool is_left = along < w.t0 * height;
+        if (BOOST_LIKELY(!is_left && along <= w.t1 * height)) return d;
+        const FT& t = is_left ? w.t0 : w.t1;
+        least = w.sigma - w.y * square_root<FT>(1 + t * t);
+      }
+      if (d < least - allowance) return Number_policy<FT>::infinity();
+    }
+    return d;
+  }
+
+  // True if a ray passes q, or passes it by at most `allowance`.
+  static bool is_near(const Packed& w, const Point_in_face<FT>& q, const FT& allowance)
+  {
+    const bool is_parallel = w.bits & 1u;
+    const FT height = is_parallel ? FT(-w.y) : FT(q.y - w.y);
+    if constexpr (is_inexact)
+    { // without branches, which are unpredictable here
+      const FT along = is_parallel ? FT(w.x * q.y - w.y * q.x) : FT(q.x - w.x);
+      const FT t0 = is_parallel ? FT(-w.end[0]) : FT(w.end[0] * height),
+               t1 = is_parallel ? FT(-w.end[1]) : FT(w.end[1] * height);
+      const FT slope0 = is_parallel ? FT(0) : CGAL::abs(w.end[0]), slope1 = is_parallel ? FT(0) : CGAL::abs(w.end[1]);
+      return bool(int(along >= t0 - allowance * (1 + slope0)) & int(along <= t1 + allowance * (1 + slope1)));
+    }
+    // The ray to the point enters the face at entry / height; multiplication avoids the division.
+    const FT entry = w.x * q.y - q.x * w.y;
+    return !(entry < w.end[0] * height) && !(entry > w.end[1] * height);
   }
 
   static int halfedge_of(const Index* begin, Index i) { return int(i >= begin[1]) + int(i >= begin[2]); }
 
-  static bool stores_sigma(const Window& w) { return w.is_parallel() || w.is_merged(); }
-
-  static bool is_outdated(const Window& w, const std::vector<FT>& distance)
+  template <class Any>
+  static bool stores_sigma(const Any& w)
   {
-    const Index v = stores_sigma(w) ? no_index : w.pseudo_source();
-    if (v == no_index || BOOST_LIKELY(w.sigma <= distance[v])) return false; // usually equal
+    return w.is_parallel() || w.is_merged();
+  }
+
+  template <class Any>
+  static bool is_outdated(const Any& rays, const std::vector<FT>& distance, const FT& length)
+  {
+    const Index v = stores_sigma(rays) ? no_index : rays.pseudo_source();
+    if (v == no_index || BOOST_LIKELY(rays.sigma <= distance[v])) return false; // usually equal
+    const Window w = restored(rays, length);
     return w.sigma > distance[v] + window_allowance<FT>((std::max)(w.d0, w.d1));
   }
 
   // `sigma`: next free index in m_sigma.
-  void pack(const Window& w, Packed& p, Index& sigma)
+  template <class Any>
+  void pack(const Any& w, Packed& p, Index& sigma)
   {
-    p = {w.x, w.y, w.b0, w.b1, w.source_ref.value, w.bits >> 2 << 1};
+    p = {w.x, w.y, {end_of(w, 0), end_of(w, 1)}, w.source_ref.value, w.bits >> 2 << 1};
     if (BOOST_LIKELY(!stores_sigma(w))) return;
     p.bits = sigma << 1 | Index(w.is_parallel());
     m_sigma[sigma++] = w.sigma;
@@ -348,22 +379,29 @@ private:
     m_sigma[sigma++] = FT(Merge_error_code::error(w.pseudo_source()));
   }
 
-  Window unpack(const Packed& p, const std::vector<FT>& distance, const std::vector<Source_ref>& source_ref) const
+  Window unpack(const Packed& p, const FT& length, const std::vector<FT>& distance,
+                const std::vector<Source_ref>& source_ref) const
   {
-    Window w = unpack_rays(p, distance, source_ref);
-    w.d0 = w.distance_at(w.b0);
-    w.d1 = w.distance_at(w.b1);
-    if constexpr (Number_policy<FT>::is_inexact)
+    Window w = restored(unpack_rays(p, distance, source_ref), length);
+    if constexpr (is_inexact)
     { // beside a source, an image that crossed large faces gives distances below zero by their rounding
       w.d0 = (std::max)(w.d0, FT(0));
       w.d1 = (std::max)(w.d1, FT(0));
     }
+    else
+    {
+      w.d0 = w.distance_at(w.b0);
+      w.d1 = w.distance_at(w.b1);
+    }
     return w;
   }
 
-  Window unpack_rays(const Packed& p, const std::vector<FT>& distance, const std::vector<Source_ref>& source_ref) const
+  Rays unpack_rays(const Packed& p, const std::vector<FT>& distance, const std::vector<Source_ref>& source_ref) const
   {
-    Window w{p.x, p.y, FT(0), p.b0, p.b1, FT(0), FT(0), p.source_ref(), 0};
+    Rays w;
+    static_cast<Window_rays<FT>&>(w) = {p.x, p.y, FT(0), FT(0), FT(0), p.source_ref(), 0};
+    set_end_of(w, 0, p.end[0]);
+    set_end_of(w, 1, p.end[1]);
     const Index value = p.value();
     if (p.bits & 1u || p.is_merged())
     {
@@ -379,6 +417,12 @@ private:
     }
     return w;
   }
+
+  // The rays of a stored window or, with exact numbers, the ends of its interval.
+  static const FT& end_of(const Window_rays<FT>& w, int i) { return i == 0 ? w.t0 : w.t1; }
+  static const FT& end_of(const Window& w, int i) { return i == 0 ? w.b0 : w.b1; }
+  static void set_end_of(Window_rays<FT>& w, int i, const FT& end) { (i == 0 ? w.t0 : w.t1) = end; }
+  static void set_end_of(Window& w, int i, const FT& end) { (i == 0 ? w.b0 : w.b1) = end; }
 
   Index merge_error_code(Index place) const { return Merge_error_code::with_error(CGAL::to_double(m_sigma[place + 1])); }
 

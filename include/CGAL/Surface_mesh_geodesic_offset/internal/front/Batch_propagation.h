@@ -49,7 +49,7 @@ public:
     m_state.field.lists.prefetch_place(beyond_left); // destination of the children
     m_state.field.lists.prefetch_place(beyond_right);
     CGAL_precondition(std::is_sorted(w, w + n, Window_order<FT, Window>::begins_before));
-    CGAL_expensive_precondition(std::all_of(w, w + n, has_interval<FT>));
+    CGAL_expensive_precondition(std::all_of(w, w + n, [&](const Window& a) { return has_interval(a, m_mesh[h].length); }));
     const Window_propagation<Traits> face(m_mesh, h, m_traits);
     m_updates.clear();
     m_apex = m_mesh.apex(h);
@@ -63,7 +63,7 @@ public:
     split_entry = m_entry;
     const FT dr = m_known;
     const Estimate across = estimate(face.left_length) + estimate(face.right_length) + estimate(face.length);
-    const Estimate allowance = pruning_allowance<FT>(estimate(m_farthest) + across);
+    const Estimate allowance = pruning_allowance<FT>(estimate(m_farthest) + across, m_mesh.longest_edge());
     m_left.clear();
     m_right.clear();
     if (m_left_end != 0 && m_state.takes_windows(beyond_left)) leave<true>(face, w, n, beyond_left, dp, dr, dq, allowance);
@@ -136,15 +136,14 @@ private:
     const FT bound = at_apex      ? ray.entry
                    : Way::is_left ? FT(Interval_filter<FT>::upper_cut(at_entry))
                                   : FT(Interval_filter<FT>::lower_cut(at_entry));
-    const FT d_bound = !at_apex ? w.distance_at(bound) : Way::is_left ? w.d1 : w.d0;
-    if (CGAL::possibly(Way::is_left ? estimate(bound) > estimate(w.b0) : estimate(bound) < estimate(w.b1)))
-      way.template take<is_parallel>(face, w, bound, d_bound, at_apex, ray.distance);
+    if ((!is_exact && at_apex) ||
+        CGAL::possibly(Way::is_left ? estimate(bound) > estimate(w.b0) : estimate(bound) < estimate(w.b1)))
+      way.template take<is_parallel>(face, w, bound, at_apex, ray.distance);
   }
 
-  // Finds the exits of the windows, and updates the apex by the nearest window that covers it. With inexact numbers, rounding
-  // may leave the apex between two windows. So a window that misses the apex closely updates it around its end, which is a
-  // valid path; if no window covers the apex, so do the two neighbours of the apex. Also finds the smallest distance of the
-  // apex through h so far, and the entry of its ray.
+  // Finds the exits of the windows, and updates the apex by the nearest window that covers it. With inexact numbers, rounding may
+  // leave the apex between two windows, so a window that misses it by rounding updates it, too. Also finds the smallest distance of
+  // the apex through h so far, and the entry of its ray.
   BOOST_FORCEINLINE void find_exits(Index h, const Window_propagation<Traits>& face, const Window* windows, std::size_t n,
                                     const FT& along_edge)
   {
@@ -155,9 +154,8 @@ private:
     }
     const Window* nearest = nullptr;
     std::size_t left_end = 0, right_begin = n;
-    bool covered = false;
     Exit* const exits = m_exit.data();
-    std::size_t number = n;
+    std::size_t number = n, number_at_apex = 0;
     FT farthest(0);
     for (std::size_t i = 0; i < n; ++i)
     {
@@ -174,7 +172,7 @@ private:
       if (exit != LEFT && right_begin == n) right_begin = i;
       if (exit != LEFT && exit != RIGHT)
       {
-        covered = true;
+        ++number_at_apex;
         const Apex_ray& ray = m_apex_ray[i] = {face.distance_at_apex(w), face.entry_of_apex(w)};
         if (ray.distance < m_best)
         {
@@ -188,106 +186,77 @@ private:
     m_left_end = left_end;
     m_right_begin = right_begin;
     m_farthest = farthest;
-    if (nearest)
-    {
-      const Window& w = *nearest;
-      const FT bx = w.is_parallel() ? w.x : FT(w.x - face.apex_x), by = w.is_parallel() ? w.y : FT(w.y - face.apex_y);
-      update_apex(h, face, m_best, bx, by, w, false, face.is_beside_end(w));
-    }
+    if (nearest) update_apex(h, face, m_best, *nearest);
     if (is_exact) return;
-    if (!covered)
-    {
-      if (left_end != 0)
-      {
-        const Window& last_left = windows[left_end - 1];
-        update_apex_around_end(h, face, last_left, last_left.b1, last_left.d1);
-      }
-      if (right_begin != n)
-      {
-        const Window& first_right = windows[right_begin];
-        update_apex_around_end(h, face, first_right, first_right.b0, first_right.d0);
-      }
-    }
+    if (nearest && number_at_apex > 1 &&
+        (m_mesh.can_be_pseudo_source(m_apex) || nearest->source_ref.side() == Source_side::CAP))
+      for (std::size_t i = right_begin; i < left_end; ++i)
+        if (exits[i] == BOTH && &windows[i] != nearest && m_state.tie(m_apex_ray[i].distance, m_best))
+          update_apex(h, face, m_apex_ray[i].distance, windows[i]);
     // The path to the apex along an edge of the face is shorter only in needles, where windows have the rounding error of much
-    // longer edges.
-    if (!Number_policy<FT>::is_finite(m_known) || !m_state.is_shorter(along_edge, m_known)) return;
+    // longer edges, and beside the border: a ray that passes a vertex of the border next to its image may miss the next one.
+    if (!m_state.is_shorter(along_edge, m_known)) return;
+    const bool is_reached = Number_policy<FT>::is_finite(m_known);
+    if (!is_reached && m_mesh.twin(m_mesh.previous(h)) != no_index && m_mesh.twin(m_mesh.next(h)) != no_index) return;
     const Source_ref source_ref = m_updates.empty() ? m_state.field.source_ref[m_apex] : m_updates.back().source_ref;
-    m_updates.push_back(m_state.along_edge(m_mesh.previous(h), source_ref));
-    m_known = along_edge;
+    // no other batch may reach it again
+    const Update update =
+      is_reached ? m_state.along_edge(m_mesh.previous(h), source_ref) : m_state.along_edges(m_apex, source_ref);
+    m_known = update.distance;
+    m_updates.push_back(update);
   }
 
   BOOST_FORCEINLINE Exit exit_of(Index h, const Window_propagation<Traits>& face, const Window& w)
   {
-    if constexpr (!is_exact)
-    {
-      bool is_clear;
-      const int side =
-        w.is_parallel() ? face.template clear_side<true>(w, is_clear) : face.template clear_side<false>(w, is_clear);
-      if (BOOST_LIKELY(is_clear)) return side < 0 ? LEFT : side > 0 ? RIGHT : BOTH;
-    }
-    return exit_near_apex(h, face, w);
+    if constexpr (is_exact) return exact_exit_of(face, w);
+    FT left, right; // positive: all rays pass the apex on this side
+    const FT margin =
+      w.is_parallel() ? face.template sides_of_apex<true>(w, left, right) : face.template sides_of_apex<false>(w, left, right);
+    if (left > margin) return LEFT;
+    if (right > margin) return RIGHT;
+    if (BOOST_LIKELY(!(left > FT(0) || right > FT(0)))) return BOTH;
+    update_apex_beside(h, face, w, left > right ? w.d1 : w.d0);
+    return left > right ? LEFT : RIGHT;
   }
 
-  // Exit of a window near the apex, by side tests.
-  BOOST_NOINLINE Exit exit_near_apex(Index h, const Window_propagation<Traits>& face, const Window& w)
+  BOOST_NOINLINE Exit exact_exit_of(const Window_propagation<Traits>& face, const Window& w)
   {
     const auto compare = m_traits.compare_entry_with_apex_2_object();
-    const Sign at_b0 = compare(w.x, w.y, w.is_parallel(), w.b0, face.apex_x, face.apex_y);
-    if (at_b0 == POSITIVE)
-    {
-      if (!is_exact && face.passes_apex_closely(w, w.b0)) update_apex_around_end(h, face, w, w.b0, w.d0);
-      return RIGHT;
-    }
-    const Sign at_b1 = compare(w.x, w.y, w.is_parallel(), w.b1, face.apex_x, face.apex_y);
-    if (at_b1 == NEGATIVE)
-    {
-      if (!is_exact && face.passes_apex_closely(w, w.b1)) update_apex_around_end(h, face, w, w.b1, w.d1);
-      return LEFT;
-    }
-    return !is_exact ? BOTH : at_b0 == ZERO ? FROM_APEX : at_b1 == ZERO ? UP_TO_APEX : BOTH;
+    const auto side = [&](const FT& b) { return compare(w.x, w.y, w.is_parallel(), b, face.apex_x, face.apex_y); };
+    const Sign at_b0 = side(w.b0);
+    if (at_b0 == POSITIVE) return RIGHT;
+    const Sign at_b1 = side(w.b1);
+    return at_b1 == NEGATIVE ? LEFT : at_b0 == ZERO ? FROM_APEX : at_b1 == ZERO ? UP_TO_APEX : BOTH;
   }
 
-  // Updates the apex by the path around the end b of a window, at distance d. If this path is longer than the straight one from
-  // the image by no more than rounding, the apex may belong to the window, and the direction to the image is more precise than
-  // that to the end, also in tiny faces. Otherwise the path is a detour: shortest only if rays are missing, or if it bends at a
-  // vertex or a source, which update the apex themselves.
-  void update_apex_around_end(Index h, const Window_propagation<Traits>& face, const Window& w, const FT& b, const FT& d)
+  // Updates the apex by a window whose bounding ray, which enters the face at distance d_entry, misses it by rounding. An apex at a
+  // smaller distance lies beside the ray before it enters.
+  BOOST_NOINLINE void update_apex_beside(Index h, const Window_propagation<Traits>& face, const Window& w, const FT& d_entry)
   {
-    if (!(d < m_known)) return;
-    const FT bx = b - face.apex_x, by = -face.apex_y;
-    const FT length = square_root<FT>(bx * bx + by * by);
-    const FT around = d + length;
-    if (around >
-        m_known + Number_policy<FT>::rounding(roundings_of_useless_path) * (m_known + face.left_length + face.right_length))
-      return;
-    if (around - face.distance_at_apex(w) > Number_policy<FT>::rounding(roundings_of_straight_path) * around)
-      return update_apex(h, face, around + detour_surcharge(), bx, by, w, true);
-    const FT ix = w.is_parallel() ? w.x : FT(w.x - face.apex_x), iy = w.is_parallel() ? w.y : FT(w.y - face.apex_y);
-    const FT off = CGAL::abs(FT(ix * by - iy * bx)), away = w.is_parallel() ? FT(1) : square_root<FT>(ix * ix + iy * iy);
-    const bool is_bent = off > away * (length * Number_policy<FT>::rounding(1 << 20) + d * Number_policy<FT>::rounding(64));
-    const bool is_in_corner = !CGAL::is_positive(FT(iy * face.apex_x - ix * face.apex_y)) &&
-                              !CGAL::is_negative(FT(iy * (face.apex_x - face.length) - ix * face.apex_y));
-    update_apex(h, face, around, is_in_corner ? ix : bx, is_in_corner ? iy : by, w, is_bent);
+    const FT d = face.distance_at_apex(w);
+    if (!(d < m_known || m_state.tie(d, m_known)) || d < d_entry) return;
+    FT x = w.is_parallel() ? w.x : FT(w.x - face.apex_x), y = w.is_parallel() ? w.y : FT(w.y - face.apex_y);
+    if (CGAL::is_positive(FT(y * face.apex_x - x * face.apex_y)) ||
+        CGAL::is_negative(FT(y * (face.apex_x - face.length) - x * face.apex_y)))
+    { // not in the corner of the apex
+      x = face.entry_of_apex(w) - face.apex_x;
+      y = -face.apex_y;
+    }
+    update_apex(h, face, d, x, y, w, true);
   }
 
-  // Units of rounding, of the distance and the edges at the apex, by which a path is longer and certainly of no use: twice as many
-  // as make Wavefront_state::update_vertex() ignore it, 64 of the distance and 64 of the edges.
-  static constexpr double roundings_of_useless_path = 256;
-
-  // Units of rounding of a path around the end of a window by which it may exceed the straight path from the image: as many as
-  // for windows. The directions of the two paths then differ by at most 2^-21.5, less than Vertex_sector::margin_angle().
-  static constexpr double roundings_of_straight_path = roundings_of_window;
-
-  // Surcharge on detours, so that they lose ties: 8 u L, where ends of windows are rounded to 2 u L. On graded meshes, L, the
-  // longest edge, may be much longer than the edges of the face, if the window or its source has crossed large faces.
-  FT detour_surcharge() const { return Number_policy<FT>::rounding(8) * m_mesh.longest_edge(); }
+  void update_apex(Index h, const Window_propagation<Traits>& face, const FT& d, const Window& w)
+  {
+    const FT bx = w.is_parallel() ? w.x : FT(w.x - face.apex_x), by = w.is_parallel() ? w.y : FT(w.y - face.apex_y);
+    update_apex(h, face, d, bx, by, w);
+  }
 
   // (bx, by): vector from the apex toward the source, in the frame of h.
   void update_apex(Index h, const Window_propagation<Traits>& face, const FT& d, const FT& bx, const FT& by, const Window& w,
-                   bool is_bent = false, bool is_beside_end = false)
+                   bool is_beside = false)
   {
     const Ray_at_vertex<FT> back{m_mesh.previous(h), -(face.cl * bx + face.sl * by), face.sl * bx - face.cl * by};
-    m_updates.push_back({d, back, w.source_ref, w.pseudo_source(), is_bent, is_beside_end});
+    m_updates.push_back({d, back, w.source_ref, w.pseudo_source(), is_beside});
     if (d < m_known) m_known = d;
   }
 

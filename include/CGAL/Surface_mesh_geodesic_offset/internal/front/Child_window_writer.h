@@ -24,21 +24,20 @@ struct Child_window_writer
   typedef CGAL::Geodesic_offset::internal::Window<FT> Window;
   static constexpr bool is_left = is_left_;
 
-  // Adds the rays of a window on one side of `bound`, where its distance is d_bound. at_apex: the rays up to the apex, where
-  // the distance is d_apex.
+  // Adds the rays of a window on one side of `bound`. at_apex: the rays up to the apex, where the distance is d_apex.
   template <bool is_parallel>
-  BOOST_FORCEINLINE void take(const Window_propagation<Traits>& face, const Window& w, const FT& bound, const FT& d_bound,
-                              bool at_apex, const FT& d_apex)
+  BOOST_FORCEINLINE void take(const Window_propagation<Traits>& face, const Window& w, const FT& bound, bool at_apex,
+                              const FT& d_apex)
   {
     Window& child = output.next();
     if constexpr (is_left)
     {
-      if (!face.template left_child<is_parallel>(w, bound, d_bound, at_apex, d_apex, child)) return;
+      if (!face.template left_child<is_parallel>(w, bound, at_apex, d_apex, child)) return;
       if (pruning.is_filtered(child.b0, child.d0)) return;
     }
     else
     {
-      if (!face.template right_child<is_parallel>(w, bound, d_bound, at_apex, d_apex, child)) return;
+      if (!face.template right_child<is_parallel>(w, bound, at_apex, d_apex, child)) return;
       if (pruning.is_filtered(child.b1, child.d1)) return;
     }
     if (pruning.trim(child)) Wavefront_state<FT>::keep(output, maximum);
@@ -69,14 +68,13 @@ private:
     const FT b0 = p.b.first(), b1 = p.b.second(), d0 = p.d.first(), d1 = p.d.second();
     if (pruning.is_filtered(is_left ? b0 : b1, is_left ? d0 : d1)) return;
     Window& child = output.next();
-    if (BOOST_UNLIKELY(!pruning.leaves_all(p.b, p.d)))
+    if (BOOST_UNLIKELY(!pruning.leaves_all(p.b, p.d) || !pruning.is_wide(b0, b1)))
     {
       p.put(child);
       take_origin(w, child);
       if (pruning.trim(child)) Wavefront_state<FT>::keep(output, maximum);
       return;
     }
-    if (!pruning.is_wide(b0, b1)) return;
     const FT nearest = minimum(is_parallel, b0, b1, FT(p.image.first()), FT(p.sigma - p.image.second()), d0, d1);
     if (certainly_less(maximum, nearest)) return;
     p.put(child);
@@ -97,8 +95,8 @@ private:
   template <bool is_parallel>
   BOOST_NOINLINE void take_by_parts(const Window_propagation<Traits>& face, const Window& w)
   {
-    if constexpr (is_left) take<is_parallel>(face, w, w.b1, w.d1, false, w.d1);
-    else take<is_parallel>(face, w, w.b0, w.d0, false, w.d0);
+    if constexpr (is_left) take<is_parallel>(face, w, w.b1, false, w.d1);
+    else take<is_parallel>(face, w, w.b0, false, w.d0);
   }
 };
 

@@ -10,7 +10,6 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/front/Wavefront_state.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/front/Window_merging.h>
 
 #include <CGAL/assertions.h>
 
@@ -41,8 +40,7 @@ class Face_finalizer
   typedef Wavefront_state<FT> State;
 
 public:
-  // `tolerance`: bound of the errors of distances that Window_merging introduces.
-  Face_finalizer(State& state, const Merging_tolerance<FT>& tolerance) : m_state(state), m_tolerance(tolerance) {}
+  explicit Face_finalizer(State& state) : m_state(state) {}
 
   // Examines the faces in the current bucket of a part of the front. Appends finalized faces and hidden vertices to `finalized`;
   // other faces stay pending.
@@ -70,7 +68,7 @@ public:
     if (!(CGAL::abs(FT(d1 - d0)) > edge[0].length) && !(CGAL::abs(FT(d2 - d1)) > edge[1].length) &&
         !(CGAL::abs(FT(d0 - d2)) > edge[2].length))
       return false;
-    return finds_hidden_beyond_tolerance(f, hidden);
+    return find_hidden(f, hidden);
   }
 
   // True if a face has a hidden vertex whose distance may be less than `settled`.
@@ -96,12 +94,12 @@ private:
   // True if the source of h has a longer distance than a path along an edge of the face of h, of at most `maximum`.
   bool is_hidden(Index h, const FT& maximum) const
   {
-    const FT along_edge = m_state.along_edge(h, Source_ref()).distance;
-    const FT allowed = along_edge + (m_tolerance.relative * along_edge + m_tolerance.absolute);
-    return along_edge <= maximum && m_state.is_shorter(allowed, m_state.field.distance[m_state.mesh.source(h)]);
+    const Vertex_update<FT> along_edge = m_state.along_edge(h, Source_ref());
+    const FT length = along_edge.distance + FT(m_state.field.error_of_origin(along_edge.pseudo_source)); // of a path
+    return along_edge.distance <= maximum && m_state.is_shorter(length, m_state.field.distance[m_state.mesh.source(h)]);
   }
 
-  BOOST_NOINLINE bool finds_hidden_beyond_tolerance(Index f, std::vector<Index>& hidden) const
+  BOOST_NOINLINE bool find_hidden(Index f, std::vector<Index>& hidden) const
   {
     const std::size_t before = hidden.size();
     for (Index h = 3 * f; h < 3 * f + 3; ++h)
@@ -110,7 +108,6 @@ private:
   }
 
   State& m_state;
-  const Merging_tolerance<FT> m_tolerance;
 };
 
 } // namespace CGAL::Geodesic_offset::internal

@@ -32,14 +32,14 @@ struct Front_box
   // Windows for a halfedge, and the distance of their nearest point.
   struct Windows
   {
-    Windows(Window_arena<Window>& arena, const Output& output)
+    Windows(typename Window_lists<FT>::Arena& arena, const Output& output)
       : halfedge(output.halfedge()), nearest(output.nearest()), block(arena, output.begin(), output.size())
     {
     }
 
     Index halfedge;
     FT nearest;
-    Window_block<Window> block;
+    Window_block<Stored_window<FT>> block;
   };
   struct Single_window
   {
@@ -143,7 +143,7 @@ public:
   }
 
   // Windows for other parts go into a block of the arena.
-  void append(const Output& output, Window_arena<Window>& arena)
+  void append(const Output& output, typename Window_lists<FT>::Arena& arena)
   {
     if (output.size() == 0) return;
     const Index part = m_state->parts.of_halfedge(output.halfedge());

@@ -37,7 +37,7 @@ public:
 
   Halfedge_batch(const Wavefront_state<FT>& state, const std::vector<Index>& source_of, const Traits& traits,
                  const Merging_tolerance<FT>& tolerance)
-    : m_mesh(state.mesh), m_state(state), m_envelope(source_of, traits, &state.field.start_values),
+    : m_mesh(state.mesh), m_state(state), m_envelope(source_of, traits, state.mesh.longest_edge()),
       m_merging(state.field, source_of, tolerance), m_propagate(state, traits),
       m_needs_envelopes(!is_inexact || state.needs_envelopes)
   {
@@ -47,35 +47,36 @@ public:
   // replaces the windows, valid until the next call; null if the windows stay.
   const Inline_sequence<Window>* operator()(Index h, Window_list<FT>& list)
   {
-    m_nearest_gap = Number_policy<FT>::infinity();
     const bool may_stay = !m_needs_envelopes && list.processed == 0 && !list.waiting.data;
+    const FT& length = m_mesh[h].length;
+    const std::size_t n = list.size + list.waiting.size;
+    if (m_windows.size() < n) m_windows.resize(n);
+    Window* last = m_windows.data();
+    for (const auto* w = list.begin(); w != list.end(); ++w) ::new (static_cast<void*>(last++)) Window(restored(*w, length));
+    for (const auto* w = list.waiting.begin(); w != list.waiting.end(); ++w)
+      ::new (static_cast<void*>(last++)) Window(restored(*w, length));
+    Window *const first = m_windows.data(), *const middle = first + list.size;
     if constexpr (is_inexact)
     {
-      if (may_stay && Lower_envelope<Traits>::is_monotone_list(list.begin(), list.end(), m_mesh[h].length))
+      if (may_stay && Lower_envelope<Traits>::is_monotone_list(first, middle))
       {
         if constexpr (Traits::may_merge)
-          if (m_merging.pays_for(h, list.size)) return &propagate_merged(h, list, list.begin(), list.end());
-        m_propagate(h, list.begin(), list.size, list.split_distance, list.split_entry);
+          if (m_merging.pays_for(h, list.size)) return &propagate_merged(h, list, first, middle);
+        m_propagate(h, first, list.size, list.split_distance, list.split_entry);
         return nullptr;
       }
     }
     CGAL_precondition(list.processed <= list.size);
     // The first windows of the list are the processed ones; a flag marks them for the envelope, which has another order.
-    for (Window* w = list.data; w != list.data + list.processed; ++w) w->set_propagated();
-    const Inline_sequence<Window>& envelope =
-      m_envelope(list.begin(), list.end(), m_mesh[h].length, list.waiting.begin(), list.waiting.end(), end_at(m_mesh.source(h)),
-                 end_at(m_mesh.target(h)), m_state.passed());
-    m_nearest_gap = m_envelope.nearest_gap();
+    for (Window* w = first; w != first + list.processed; ++w) w->set_propagated();
+    const Inline_sequence<Window>& envelope = m_envelope(first, middle, length, middle, last);
     // Propagated windows cannot be merged, and they are most of the lists of second batches.
     if constexpr (Traits::may_merge)
       if (list.processed == 0 && m_merging.pays_for(h, envelope.size()))
         return &propagate_merged(h, list, envelope.begin(), envelope.end());
     m_propagate(h, envelope.data(), envelope.size(), list.split_distance, list.split_entry);
-    return may_stay && !m_envelope.has_closed_gaps() ? nullptr : &envelope;
+    return may_stay ? nullptr : &envelope;
   }
-
-  // Distance of the nearest gap that stays open until the front has passed it; infinite if there is none.
-  const FT& nearest_gap() const { return m_nearest_gap; }
 
   // Result of the propagation.
   const Batch_propagation<Traits>& propagated() const { return m_propagate; }
@@ -91,18 +92,13 @@ private:
     return merged;
   }
 
-  typename Lower_envelope<Traits>::End end_at(Index v) const
-  {
-    return {m_state.field.distance[v], m_state.field.source_ref[v]};
-  }
-
   const Unfolded_mesh<FT>& m_mesh;
   const Wavefront_state<FT>& m_state;
   Lower_envelope<Traits> m_envelope;
   Merging m_merging;
   Batch_propagation<Traits> m_propagate;
   const bool m_needs_envelopes;
-  FT m_nearest_gap;
+  std::vector<Window> m_windows; // of the list
 };
 
 } // namespace CGAL::Geodesic_offset::internal

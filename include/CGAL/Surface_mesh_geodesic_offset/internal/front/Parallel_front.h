@@ -33,7 +33,7 @@ class Parallel_front
 {
   typedef typename Traits::FT FT;
   typedef CGAL::Geodesic_offset::internal::Window<FT> Window;
-  typedef Window_arena<Window> Arena;
+  typedef typename Window_lists<FT>::Arena Arena;
   typedef std::uint64_t Parts; // a set of parts, by bits
 
 public:

@@ -54,7 +54,7 @@ public:
       if (!starts(e)) continue;
       const FT& s = m_initial.start_values.of(e.source_ref);
       // parallel rays at a right angle to the edge
-      Window w{FT(0), FT(-1), s, e.b0, e.b1, s, s, e.source_ref, Window::make_bits(true, no_index)};
+      Window w({FT(0), FT(-1), s, FT(0), FT(0), e.source_ref, Window::make_bits(true, no_index)}, e.b0, e.b1);
       m_state.append(e.halfedge, w);
     }
     for (const auto& l : m_initial.local)
@@ -66,40 +66,25 @@ public:
       for (int k = 0; k < 3; ++k)
         if (l.window.edge == 3 || l.window.edge == k) add_exit(l.face, frame, k, l.window, m_state); // 3: rays to all edges
     }
-    for (const auto& l : m_initial.beyond_edges)
-      if (starts(l.window)) add_exit(l.face, Face_frame<FT>(m_mesh, l.face), int(l.window.edge), l.window, m_state);
   }
 
-  // Starts the rays behind a vertex: in its sectors if it is pending, and in its margins if paths tie there (Vertex_sector). If
-  // the vertex was hidden, or its image is too near, rays start in all directions; at a pinched vertex, also in all other fans.
-  // `front` receives the windows: the state, or messages of the parallel front.
+  // Starts the rays behind a pending vertex, in its sectors; at a pinched vertex, also in all other fans. Behind a vertex that was
+  // hidden, rays start in all directions. `front` receives the windows: the state, or messages of the parallel front.
   template <class Front>
   void spread_from_pseudo_source(Index v, Front& front) const
   {
     typedef Wavefront_state<FT> State;
     char& state = m_state.vertex_state[v];
-    const bool is_pending = state & State::IS_PENDING;
-    if (!is_pending && !m_state.lacks_margins(v)) return;
-    const bool in_all_directions =
-      is_pending && ((state & State::WAS_HIDDEN) || m_state.is_beside_image(v, m_state.field.back[v].pseudo_source));
-    const bool ties = state & State::TIES;
-    state = char(State::HAS_SPREAD | (ties ? State::TIES | State::HAS_MARGINS : 0));
-    m_state.field.has_margins[v] = ties;
-    const Ray back = m_state.field.back[v].ray();
+    if (!(state & (State::IS_PENDING | State::IS_TIED))) return;
+    const bool was_hidden = state & State::WAS_HIDDEN, is_pending = state & State::IS_PENDING;
+    const std::vector<Ray> tied = state & State::IS_TIED ? m_state.take_tied(v) : std::vector<Ray>();
+    state = State::HAS_SPREAD;
     const Source_ref source_ref = m_state.field.source_ref[v];
-    if (in_all_directions)
-      return m_mesh.for_each_fan(v, [&](Index first) { spread(v, Ray(), Ray(), first, source_ref, v, front); });
-    if (is_pending && m_mesh.can_be_pseudo_source(v))
-      m_sector.for_each_sector_behind(back, [&](const Ray& from, const Ray& to, Index first) {
-        spread(v, from, to, first, source_ref, v, front);
-      });
-    m_sector.for_each_margin_behind(back, ties, m_state.hidden_angle(v), [&](const Ray& from, const Ray& to, Index first) {
-      spread(v, from, to, first, source_ref, v, front, true);
-    });
-    if (is_pending && m_mesh.has_several_fans(v))
-      m_mesh.for_each_fan(v, [&](Index first) {
-        if (!in_fan(back.corner, first)) spread(v, Ray(), Ray(), first, source_ref, v, front);
-      });
+    if (was_hidden) m_mesh.for_each_fan(v, [&](Index first) { spread(v, Ray(), Ray(), first, source_ref, v, front); });
+    else if (is_pending) spread_behind(v, m_state.field.back[v].ray(), source_ref, front);
+    if (!was_hidden)
+      for (const Ray& back : tied)
+        spread_behind(v, back, source_ref, front, m_state.rounding_at_vertex(m_state.field.distance[v]));
   }
 
 private:
@@ -109,7 +94,10 @@ private:
   {
     const Index g = m_mesh.twin(3 * face + Index(k));
     if (g == no_index) return;
-    Window w{local.x, local.y, local.sigma, FT(0), m_mesh[g].length, FT(0), FT(0), local.source_ref, local.bits};
+    Window w;
+    static_cast<typename Window::Rays&>(w) = {local.x, local.y, local.sigma, FT(0), FT(0), local.source_ref, local.bits};
+    w.b0 = FT(0);
+    w.b1 = m_mesh[g].length;
     const Point_in_face<FT>&origin = frame.corner((k + 1) % 3), &direction = frame.direction(k);
     change_frame(m_traits, w, origin.x, origin.y, FT(-direction.x), FT(-direction.y)); // to the frame of the twin
     // Parallel rays within rounding of the direction of the edge do not cross it.
@@ -124,14 +112,27 @@ private:
       w.b1 = right.x;
     }
     else if (!clip(left, towards(left), FT(-1), w) || !clip(right, towards(right), FT(1), w)) return;
-    if (w.b0 < FT(0)) w.b0 = FT(0);
-    if (w.b1 > m_mesh[g].length) w.b1 = m_mesh[g].length;
-    if (!(w.b0 < w.b1)) return;
-    w.d0 = w.distance_at(w.b0);
-    w.d1 = w.distance_at(w.b1);
+    w.b0 = (std::max)(w.b0, FT(0));
+    w.b1 = (std::min)(w.b1, m_mesh[g].length);
+    w.set_begin(w.b0, w.distance_at(w.b0));
+    w.set_end(w.b1, w.distance_at(w.b1));
+    if (local.edge == k)
+    {
+      take_ray(frame, k, local.to, w.t0);
+      take_ray(frame, k, local.from, w.t1);
+    }
+    if (!(w.b0 < w.b1) && !w.is_open()) return;
     // the terms of the distances, in the frame of the face and in that of the edge
     const FT size = (std::max)({m_mesh[g].length, FT(CGAL::abs(local.sigma)), FT(CGAL::abs(w.sigma))});
     if (cut_behind_source(local.start_value, size, w)) front.add_apart(g, w);
+  }
+
+  // Sets a ray of a window on the twin of halfedge k to the direction u, unless rounding has turned this direction away.
+  static void take_ray(const Face_frame<FT>& frame, int k, const Point_in_face<FT>& u, FT& t)
+  {
+    if constexpr (!Number_policy<FT>::is_inexact) return;
+    const Point_in_face<FT> v = frame.vector_to_halfedge(k, u);
+    if (v.y < FT(0)) t = v.x / v.y;
   }
 
   // Ensures that the image of w lies on the near side of the edge that its rays cross (see Initial_windows). If rounding has
@@ -140,7 +141,7 @@ private:
   static bool put_before_edge(const Face_frame<FT>& frame, Window& w)
   {
     if constexpr (Number_policy<FT>::is_inexact)
-      if (!(w.y < FT(0))) w.y = -Initial_windows<FT>::rounding_of_height(frame);
+      if (!(w.y < FT(0))) w.y = -Number_policy<FT>::rounding(1) * frame.longest_edge();
     return w.y < FT(0);
   }
 
@@ -164,8 +165,8 @@ private:
     if (w.d0 >= s && w.d1 >= s) return true; // also for a segment along the edge up to rounding
     if (w.d0 <= s && w.d1 <= s) return false;
     const FT b = w.b0 + ((w.d0 - s) / (w.d0 - w.d1)) * (w.b1 - w.b0);
-    (w.d0 < s ? w.b0 : w.b1) = b;
-    (w.d0 < s ? w.d0 : w.d1) = s;
+    if (w.d0 < s) w.set_begin(b, s);
+    else w.set_end(b, s);
     return w.b0 < w.b1;
   }
 
@@ -186,13 +187,27 @@ private:
     return m_mesh.any_corner(first, [c](Index i) { return i == c; });
   }
 
-  // Starts the rays from v in a sector, or in its margin with the surcharge of Vertex_sector: windows on the edges opposite to
-  // v, and updates of vertices along the edges.
+  // Starts the rays behind a pseudo-source that is reached from a direction. `excess` is added to the distances: rays from another
+  // direction that ties fill what the others leave, and replace none of them.
+  template <class Front>
+  void spread_behind(Index v, const Ray& back, Source_ref source_ref, Front& front, const FT& excess = FT(0)) const
+  {
+    m_sector.for_each_sector_behind(back, [&](const Ray& from, const Ray& to, Index first) {
+      spread(v, from, to, first, source_ref, v, front, excess);
+    });
+    if (m_mesh.has_several_fans(v))
+      m_mesh.for_each_fan(v, [&](Index first) {
+        if (!in_fan(back.corner, first)) spread(v, Ray(), Ray(), first, source_ref, v, front);
+      });
+  }
+
+  // Starts the rays from v in a sector: windows on the edges opposite to v, and updates of vertices along the edges.
   template <class Front>
   void spread(Index v, const Ray& from, const Ray& to, Index first, Source_ref source_ref, Index pseudo_source, Front& front,
-              bool is_margin = false) const
+              const FT& excess = FT(0)) const
   {
-    const FT sigma = pseudo_source == no_index ? m_state.field.start_values.of(source_ref) : m_state.field.distance[v];
+    const FT sigma =
+      pseudo_source == no_index ? m_state.field.start_values.of(source_ref) : FT(m_state.field.distance[v] + excess);
     m_sector.for_each_corner(from, to, first, [&](Index h, const Ray* lower, const Ray* upper) {
       const Index e = m_mesh.next(h), p = m_mesh.previous(h);
       front.schedule(m_mesh.face(h));
@@ -202,54 +217,26 @@ private:
       const Index g = m_mesh.twin(e);
       if (g == no_index) return;
       const FT length = m_mesh[e].length;
-      Window w{length - m_mesh[e].apex_x,
-               -m_mesh[e].apex_y,
-               sigma,
-               FT(0),
-               length,
-               FT(0),
-               FT(0),
-               source_ref,
-               Window::make_bits(false, pseudo_source)};
+      Window w;
+      static_cast<typename Window::Rays&>(w) = {
+        length - m_mesh[e].apex_x, -m_mesh[e].apex_y, sigma, FT(0), FT(0), source_ref, Window::make_bits(false, pseudo_source)};
+      w.b0 = FT(0);
+      w.b1 = length;
       // the frame of the twin runs backwards: the lower ray ends the interval
       if (lower) w.b1 = m_sector.exit_of_ray(h, *lower);
       if (upper) w.b0 = m_sector.exit_of_ray(h, *upper);
-      if (w.b0 < w.b1)
+      w.set_begin(w.b0, w.distance_at(w.b0));
+      w.set_end(w.b1, w.distance_at(w.b1));
+      if constexpr (Number_policy<FT>::is_inexact)
       {
-        if (is_margin) w.sigma += m_sector.margin_surcharge((std::max)(w.distance_at(w.b0), w.distance_at(w.b1)));
-        w.d0 = w.distance_at(w.b0);
-        w.d1 = w.distance_at(w.b1);
-        front.add(g, w); // before spread_beyond(), which updates vertices that are not ends of g
+        const FT ux = m_mesh[e].apex_x / m_mesh[h].length, uy = m_mesh[e].apex_y / m_mesh[h].length; // backwards: x of h
+        const auto ray = [&](const Ray& r) { return FT((r.x * ux - r.y * uy) / (r.x * uy + r.y * ux)); };
+        // a ray through a vertex is the same on both sides of it: in a needle the image is less precise than its directions
+        w.t1 = lower && w.b1 < length ? ray(*lower) : ray(Ray{h, FT(1), FT(0)});
+        w.t0 = upper && w.b0 > FT(0) ? ray(*upper) : ray(Ray{h, m_mesh[h].apex_x, m_mesh[h].apex_y});
       }
-      if (Number_policy<FT>::is_inexact && pseudo_source != no_index && m_mesh[e].apex_y < least_clear_distance<FT>() * length)
-        spread_beyond(h, lower, upper, sigma, source_ref, pseudo_source, front, is_margin);
+      if (w.b0 < w.b1 || w.is_open()) front.add(g, w);
     });
-  }
-
-  // For a vertex very close to the edge opposite to h: starts the rays of this corner again, as windows of the face beyond that
-  // edge, since intervals on the edge have too few directions through rounding (Initial_windows::add_rays_beyond()).
-  template <class Front>
-  BOOST_NOINLINE void spread_beyond(Index h, const Ray* lower, const Ray* upper, const FT& sigma, Source_ref source_ref,
-                                    Index pseudo_source, Front& front, bool is_margin) const
-  {
-    Initial_windows<FT> rays(m_mesh);
-    rays.add_rays_beyond(h, lower, upper, source_ref);
-    const auto surcharge = [&](const FT& d) { return is_margin ? m_sector.margin_surcharge(d) : FT(0); };
-    for (const auto& s : rays.seeds)
-    {
-      const FT d = sigma + s.distance;
-      front.update_vertex(s.vertex, {d + surcharge(d), s.back, source_ref, pseudo_source});
-    }
-    for (auto& l : rays.beyond_edges)
-    {
-      const Face_frame<FT> frame(m_mesh, l.face);
-      front.schedule(l.face);
-      l.window.sigma =
-        sigma +
-        surcharge(sigma + (std::max)(length(l.window.left - l.window.image()), length(l.window.right - l.window.image())));
-      l.window.bits = Window::make_bits(false, pseudo_source);
-      add_exit(l.face, frame, int(l.window.edge), l.window, front);
-    }
   }
 
   Wavefront_state<FT>& m_state;

@@ -9,7 +9,6 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/front/Face_finalizer.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/front/Halfedge_batch.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/front/Ray_spreading.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/front/Wavefront_state.h>
@@ -35,13 +34,11 @@ BOOST_FORCEINLINE void process_halfedge(Index h, Wavefront_state<typename Traits
   List* const known = lists.find(h);
   if (!known) return;
   List& list = *known;
-  if (list.bucket != state.current() || !(list.has_new() || list.has_gap)) return;
+  if (list.bucket != state.current() || !list.has_new()) return;
   list.bucket = List::not_queued;
-  list.has_gap = false;
   if (const auto* const envelope = batch(h, list)) lists.assign(h, list, *envelope, arena);
   list.processed = list.size;
   CGAL_assertion(!list.has_new());
-  if constexpr (Number_policy<typename Traits::FT>::is_inexact) state.await_gap(h, list, batch.nearest_gap());
   const auto& propagated = batch.propagated();
   part.counts.windows_propagated += propagated.number_of_windows();
   for (const auto& a : propagated.updates()) front.update_apex(propagated.apex(), a);

@@ -57,10 +57,11 @@ public:
             const Merging_tolerance<FT>& tolerance = Merging_tolerance<FT>())
     : m_mesh(mesh), m_keep(keep_lists), m_partition(mesh, !tolerance.is_zero()),
       m_state(mesh, maximum_distance, keep_lists || consumer_reads_lists, field, m_partition.parts()),
-      m_start_values(initial.start_values), m_finalizer(m_state, tolerance), m_spreading(m_state, initial, traits),
+      m_start_values(initial.start_values), m_finalizer(m_state), m_spreading(m_state, initial, traits),
       m_groups(groups(mesh, initial, keep_lists)), m_front(m_state, m_groups, traits, tolerance)
   {
     m_state.field.lists.set_number_of_primitives(initial.primitives.size());
+    m_state.starts_ties = tolerance.is_zero();
   }
 
   // Propagates from the source primitives with numbers of at least `first_primitive`. Known distances stay unless a shorter path
@@ -116,9 +117,6 @@ public:
   Merging_counts merging_counts() const { return m_front.merging_counts(); }
 
   const FT& maximum() const { return m_state.maximum; }
-
-  // True if a vertex has a bent path: a path around the end of a window that misses the vertex through rounding, as in needles.
-  bool has_bent_paths() const { return m_state.has_bent_paths(); }
 
   FT largest_distance(Index f) const { return m_state.largest_distance(f); }
 
@@ -196,7 +194,7 @@ private:
     auto&& team = m_front.team();
     consumer.process_finalized(faces, team);
     if constexpr (Traits::may_keep_windows)
-      if (m_keep) m_state.field.kept.keep(faces, m_state.field.lists, m_state.field.distance, m_mesh.number_of_faces(), team);
+      if (m_keep) m_state.field.kept.keep(faces, m_state.field.lists, m_state.field.distance, m_mesh, team);
     m_front.release(faces);
     m_number_of_finalized += faces.size();
     m_finalized.faces.clear();

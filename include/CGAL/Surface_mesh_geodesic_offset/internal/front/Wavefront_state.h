@@ -19,6 +19,7 @@
 #include <boost/config.hpp>
 
 #include <algorithm>
+#include <map>
 #include <vector>
 
 namespace CGAL::Geodesic_offset::internal {
@@ -29,7 +30,7 @@ struct Wavefront_counts
 };
 
 // Candidate distance update for a vertex: the length of a path that leaves the vertex along `back`, straight to a pseudo-source
-// or a source. A bent path goes around the end of a window that misses the vertex through rounding.
+// or a source.
 template <class FT>
 struct Vertex_update
 {
@@ -37,8 +38,7 @@ struct Vertex_update
   Ray_at_vertex<FT> back;
   Source_ref source_ref;
   Index pseudo_source;
-  bool is_bent = false;
-  bool is_beside_end = false; // of the window; see Vertex_sector::for_each_margin_behind()
+  bool is_beside = false; // true if the bounding ray of the window misses the vertex by rounding
 };
 
 template <class FT>
@@ -50,12 +50,11 @@ public:
   typedef Window_output<FT, Window> Output;
 
   enum Vertex_state : char {
-    IS_PENDING = 1,  // rays have to be started from it, usually because it is a pseudo-source
-    HAS_SPREAD = 2,  // these rays have been started
-    IS_BENT = 4,     // its path is bent, see Vertex_update
-    WAS_HIDDEN = 8,  // every window missed it through rounding, see reveal_vertex()
-    TIES = 16,       // paths from several images may tie there
-    HAS_MARGINS = 32 // rays of its margins have been started, see Vertex_sector
+    IS_PENDING = 1, // rays have to be started from it, usually because it is a pseudo-source
+    HAS_SPREAD = 2, // these rays have been started
+    IS_BESIDE = 4,  // see Vertex_update
+    WAS_HIDDEN = 8, // every window missed it through rounding, see reveal_vertex()
+    IS_TIED = 16    // Part::tied has other directions from which the rays of a path have to be started
   };
   enum Face_state : char {
     SCHEDULED = 1, // the front has reached the face
@@ -69,8 +68,10 @@ public:
 
     Bucket_queue queue;
     Wavefront_counts counts;
-    bool has_bent_paths = false;
     Output single;
+    // Other paths to pseudo-sources, equal to the shortest one up to rounding. Each of them may have removed the rays of the others
+    // before the vertex, so none may be left out behind it.
+    std::multimap<Index, Ray_at_vertex<FT>> tied;
   };
 
   // `field` has the known distances. `needs_all_envelopes`: true if the lists of a finalized face must be lower envelopes, not
@@ -125,12 +126,6 @@ public:
     return sum;
   }
 
-  // True if rounding has hidden a vertex from the window that gives its distance, as in needles.
-  bool has_bent_paths() const
-  {
-    return std::any_of(m_part.begin(), m_part.end(), [](const Part& p) { return p.has_bent_paths; });
-  }
-
   // Removes a halfedge from the queue, and prefetches the data of the next ones.
   BOOST_FORCEINLINE bool pop_halfedge(Bucket_queue& queue, Index& h) const
   {
@@ -139,8 +134,8 @@ public:
     return true;
   }
 
-  // Applies a candidate update. A vertex where shortest paths bend becomes a pending pseudo-source. The direction of a straight
-  // path is more precise than that of a bent path of equal length.
+  // Applies a candidate update. A vertex where shortest paths bend becomes a pending pseudo-source. Of equal distances, that of a
+  // ray through the vertex has the more precise direction.
   BOOST_FORCEINLINE void update_vertex(Index v, const Update& a)
   {
     CGAL_precondition(CGAL::possibly(estimate(a.distance) >= 0));
@@ -152,124 +147,40 @@ public:
   {
     const FT& d = a.distance;
     FT& known = field.distance[v];
-    FT rounding = known * Number_policy<FT>::rounding(64);
-    if (a.is_bent != bool(vertex_state[v] & IS_BENT) && a.back.corner != no_index) // rarely
-      rounding += Number_policy<FT>::rounding(64) * (mesh[a.back.corner].length + mesh[mesh.previous(a.back.corner)].length);
-    if (!a.is_bent && (vertex_state[v] & IS_BENT) && !(vertex_state[v] & HAS_SPREAD) && CGAL::abs(FT(d - known)) <= rounding)
+    // An improvement within rounding needs no second spreading, and none where rays were or are started by the source at v.
+    const bool ties = Number_policy<FT>::is_inexact && !is_shorter(d, known), has_source = field.back[v].corner == no_index;
+    const bool may_replace = !a.is_beside && !(vertex_state[v] & HAS_SPREAD) &&
+                             !(field.source_ref[v].is_lateral() && a.source_ref.side() == Source_side::CAP);
+    const bool replaces_beside = may_replace && (vertex_state[v] & IS_BESIDE),
+               is_shorter_tie = may_replace && ties && d < known;
+    const bool is_better_direction = replaces_beside || is_shorter_tie;
+    if (ties && has_source) return;
+    if (!replaces_beside && may_tie(v, d))
     {
-      field.back[v] = Backtrace<FT>(a.back, a.pseudo_source);
-      field.source_ref[v] = a.source_ref;
-      vertex_state[v] &= char(~IS_BENT);
-    }
-    if constexpr (Number_policy<FT>::is_inexact)
-    {
-      if (BOOST_UNLIKELY(d <= known + rounding && (a.is_beside_end || d >= known - rounding)))
-      {
-        add_tie(v);
-        if (d >= known - rounding && hides_more(v, a)) return take_direction(v, a);
+      if (mesh.can_be_pseudo_source(v)) add_tied(v, a.back, ties && !is_shorter_tie);
+      else if (ties && !is_shorter(known, d) && gives_side(v, a))
+      { // a path from a side is preferred to one from an end
+        field.back[v] = Backtrace<FT>(a.back, a.pseudo_source);
+        field.source_ref[v] = a.source_ref;
+        if (d < known) known = d;
+        return;
       }
     }
-    if (!(d < known)) return;
-    // An improvement within rounding needs no second spreading, and none where rays were or are started by the source at v.
-    const bool ties = Number_policy<FT>::is_inexact && d >= known - rounding;
-    if (ties && ((vertex_state[v] & HAS_SPREAD) || field.back[v].corner == no_index)) return;
-    known = d;
+    else if (!ties && (vertex_state[v] & IS_TIED)) take_tied(v);
+    if (ties && (is_shorter(known, d) || (vertex_state[v] & HAS_SPREAD))) return;
+    if (d < known ? !a.is_beside || !ties : is_better_direction) known = d;
+    if (ties && !is_better_direction) return;
+    field.back[v] = Backtrace<FT>(a.back, a.pseudo_source);
+    field.source_ref[v] = a.source_ref;
+    vertex_state[v] &= char(~IS_BESIDE);
     if (ties) return;
-    field.back[v] = Backtrace<FT>(a.back, a.pseudo_source);
-    field.source_ref[v] = a.source_ref;
-    vertex_state[v] &= char(~(IS_PENDING | IS_BENT | WAS_HIDDEN | TIES | HAS_MARGINS));
-    if (a.is_bent) vertex_state[v] |= IS_BENT;
-    if (a.is_beside_end) vertex_state[v] |= TIES;
-    Part& p = awake_part(parts.of_vertex(v));
-    if (a.is_bent) p.has_bent_paths = true;
+    vertex_state[v] &= char(~(IS_PENDING | WAS_HIDDEN));
+    if (a.is_beside) vertex_state[v] |= IS_BESIDE;
     if (a.back.corner == no_index || d > maximum) return; // fans of sources start elsewhere
-    if (!mesh.can_be_pseudo_source(v) && !is_beside_image(v, a.pseudo_source, least_hiding_distance<FT>())) return;
+    if (!mesh.can_be_pseudo_source(v)) return;
     vertex_state[v] |= IS_PENDING;
-    p.queue.push_vertex(p.queue.bucket_of(d), v);
-  }
-
-  // Queues a vertex that the front may have passed.
-  void push_again(Index v)
-  {
     Bucket_queue& queue = awake_part(parts.of_vertex(v)).queue;
-    queue.push_vertex((std::max)(queue.bucket_of(field.distance[v]), queue.current()), v);
-  }
-
-  // Records that paths of several images may tie at v.
-  BOOST_NOINLINE void add_tie(Index v)
-  {
-    if (vertex_state[v] & TIES) return;
-    vertex_state[v] |= TIES;
-    if (!lacks_margins(v) || field.back[v].corner == no_index || !mesh.can_be_pseudo_source(v)) return;
-    push_again(v);
-  }
-
-  // True if an update ties at v, and its image is so near that rays behind v may be hidden, and far nearer than the known one. The
-  // directions of v from both images have the same uncertainty, but only the nearer image determines the gap behind v, see
-  // hidden_angle(). Binding test: test_field_regressions, tie with a near image.
-  bool hides_more(Index v, const Update& a) const
-  {
-    const Backtrace<FT>& known = field.back[v];
-    if (a.is_bent || a.back.corner == no_index || known.corner == no_index || a.pseudo_source == known.pseudo_source)
-      return false;
-    const FT far = distance_of_image(a.distance, a.pseudo_source, a.source_ref);
-    return 2 * far < distance_of_image(v, known.pseudo_source) && is_beside_image(v, far, least_hiding_distance<FT>());
-  }
-
-  // Replaces the direction of v by that of an update that ties, and starts the rays behind v from it, too.
-  void take_direction(Index v, const Update& a)
-  {
-    field.distance[v] = (std::min)(field.distance[v], a.distance);
-    field.back[v] = Backtrace<FT>(a.back, a.pseudo_source);
-    field.source_ref[v] = a.source_ref;
-    vertex_state[v] &= char(~(IS_BENT | HAS_MARGINS));
-    if (a.distance > maximum) return;
-    vertex_state[v] |= IS_PENDING;
-    push_again(v);
-  }
-
-  // True if a vertex is so near to the image of its window that rounding loses directions behind it (least_clear_distance).
-  // Paths through the vertex in all directions replace the lost ones; they are at most 8 u L too long.
-  bool is_beside_image(Index v, Index pseudo_source, const FT& least = least_clear_distance<FT>()) const
-  {
-    if constexpr (!Number_policy<FT>::is_inexact) return false;
-    else return is_beside_image(v, distance_of_image(v, pseudo_source), least);
-  }
-
-  // `distance`: of the image.
-  bool is_beside_image(Index v, const FT& distance, const FT& least) const
-  {
-    const FT far = distance / least;
-    if (far >= mesh.longest_edge()) return false;
-    bool result = false;
-    const auto is_long = [&](Index h) { return far < mesh[h].length || far < mesh[mesh.next(h)].length; };
-    mesh.for_each_fan(v, [&](Index first) { result = result || mesh.any_corner(first, is_long); });
-    return result;
-  }
-
-  // Twice the angle of the gap that a vertex next to its image leaves behind it; zero for other vertices. Directions of paths
-  // that tie up to the rounding of an edge differ by at most the square root of this rounding over the distance.
-  FT hidden_angle(Index v) const
-  {
-    if constexpr (!Number_policy<FT>::is_inexact) return FT(0);
-    else
-    {
-      const Index pseudo_source = field.back[v].pseudo_source;
-      if (!is_beside_image(v, pseudo_source, least_hiding_distance<FT>())) return FT(0);
-      const FT gap = Number_policy<FT>::rounding(16) * mesh.longest_edge() / distance_of_image(v, pseudo_source);
-      return (std::max)(gap, square_root<FT>(gap));
-    }
-  }
-
-  FT distance_of_image(Index v, Index pseudo_source) const
-  {
-    return distance_of_image(field.distance[v], pseudo_source, field.source_ref[v]);
-  }
-
-  FT distance_of_image(const FT& distance, Index pseudo_source, Source_ref source_ref) const
-  {
-    const bool is_source = pseudo_source == no_index || Merge_error_code::is_merged(pseudo_source);
-    return distance - (is_source ? field.start_values.of(source_ref) : field.distance[pseudo_source]);
+    queue.push_vertex(queue.bucket_of(d), v);
   }
 
   // Apex update; the parallel sender has its own overload.
@@ -278,13 +189,58 @@ public:
   // False if update_vertex() would change nothing.
   BOOST_FORCEINLINE bool may_change(Index v, const Update& a) const
   {
-    const FT& known = field.distance[v];
-    if constexpr (!Number_policy<FT>::is_inexact) return a.distance < known;
-    return a.distance <= known + known * Number_policy<FT>::rounding(64) || (!a.is_bent && (vertex_state[v] & IS_BENT));
+    if constexpr (!Number_policy<FT>::is_inexact) return a.distance < field.distance[v];
+    return a.distance < field.distance[v] || (!a.is_beside && (vertex_state[v] & IS_BESIDE)) || may_tie(v, a.distance);
   }
 
-  // True if a vertex has spread its sectors but must still spread its margins.
-  bool lacks_margins(Index v) const { return (vertex_state[v] & (HAS_SPREAD | TIES | HAS_MARGINS)) == (HAS_SPREAD | TIES); }
+  // True if a path of length d to v may count that is equal to the known one up to rounding: v may be a pseudo-source, or its path
+  // leads to the end of a polyline.
+  BOOST_FORCEINLINE bool may_tie(Index v, const FT& d) const
+  {
+    return Number_policy<FT>::is_inexact && (mesh.can_be_pseudo_source(v) || field.source_ref[v].side() == Source_side::CAP) &&
+           tie(d, field.distance[v]);
+  }
+
+  // True if a path leads to a side of a polyline, and the known one to the end of one.
+  bool gives_side(Index v, const Update& a) const
+  {
+    return a.source_ref.is_lateral() && field.source_ref[v].side() == Source_side::CAP && !(vertex_state[v] & HAS_SPREAD);
+  }
+
+  // True if two distances of a vertex, at least one by a window, are equal up to rounding.
+  bool tie(const FT& d, const FT& e) const
+  {
+    return CGAL::abs(FT(d - e)) <= rounding_at_vertex(d) + error_of_image(mesh.longest_edge());
+  }
+
+  // Difference of distances within which two paths to a vertex count as equally long.
+  static FT rounding_at_vertex(const FT& d) { return Number_policy<FT>::rounding(roundings_at_vertex) * d; }
+
+  // Of two directions, adds that which is not stored with the vertex: `back` or the known one.
+  void add_tied(Index v, const Ray_at_vertex<FT>& back, bool keeps_known)
+  {
+    const Ray_at_vertex<FT> known = field.back[v].ray();
+    if (!starts_ties || known.corner == no_index || back.corner == no_index) return;
+    if (known.corner == back.corner && CGAL::abs(FT(known.x * back.y - known.y * back.x)) <=
+                                         Number_policy<FT>::rounding(4) * (known.x * back.x + known.y * back.y))
+      return;
+    Part& part = awake_part(parts.of_vertex(v));
+    part.tied.emplace(v, keeps_known ? back : known);
+    vertex_state[v] |= IS_TIED;
+    part.queue.push_vertex(part.queue.bucket_of(field.distance[v]), v);
+  }
+
+  // Takes the tied directions of v out.
+  std::vector<Ray_at_vertex<FT>> take_tied(Index v)
+  {
+    auto& tied = m_part[parts.of_vertex(v)].tied;
+    const auto range = tied.equal_range(v);
+    std::vector<Ray_at_vertex<FT>> result;
+    std::transform(range.first, range.second, std::back_inserter(result), [](const auto& t) { return t.second; });
+    tied.erase(range.first, range.second);
+    vertex_state[v] &= char(~IS_TIED);
+    return result;
+  }
 
   // Update of the source of h by the shorter path along an edge of the face of h, in place of a path with the given source.
   Update along_edge(Index h, Source_ref source_ref) const
@@ -299,18 +255,33 @@ public:
     return {is_by_v ? by_v : by_u, back, field.source_ref_via(corner, source_ref), pseudo_source};
   }
 
+  // Update of v by the shortest path along an edge.
+  Update along_edges(Index v, Source_ref source_ref) const
+  {
+    Update best;
+    best.distance = Number_policy<FT>::infinity();
+    mesh.for_each_fan(v, [&](Index first) {
+      mesh.any_corner(first, [&](Index corner) {
+        const Update a = along_edge(corner, source_ref);
+        if (a.distance < best.distance) best = a;
+        return false;
+      });
+    });
+    return best;
+  }
+
   // True if a distance is shorter than the known one by more than rounding.
   static bool is_shorter(const FT& distance, const FT& known)
   {
-    return distance < known && !(known - known * Number_policy<FT>::rounding(64) <= distance); // known may be infinite
+    return distance < known && !(known - rounding_at_vertex(known) <= distance); // known may be infinite
   }
 
-  // Updates the source of h, a hidden vertex, by a path along an edge of the face of h. The windows that missed it are lost to
+  // Updates the source of h, a hidden vertex, by a path along an edge. The windows that missed it are lost to
   // the faces behind it too, so rays start from it in all directions.
   void reveal_vertex(Index h)
   {
     const Index v = mesh.source(h);
-    const Update a = along_edge(h, field.source_ref[v]);
+    const Update a = along_edges(v, field.source_ref[v]);
     if (!is_shorter(a.distance, field.distance[v])) return;
     vertex_state[v] &= char(~HAS_SPREAD);
     update_vertex(v, a);
@@ -332,7 +303,7 @@ public:
   }
 
   // Puts a scheduled face into a later bucket if the front has not passed it, and returns true. The front has passed the face
-  // two buckets after that of the largest distance: one bucket later, gaps at that distance are closed (await_gap()).
+  // two buckets after that of the largest distance: rounding may put a distance into the next bucket.
   bool postpone(Index f)
   {
     char& state = face_state[f];
@@ -374,7 +345,7 @@ public:
   {
     if (!takes_windows(g)) return false;
     const FT& length = mesh[g].length;
-    const auto allowance = pruning_allowance<FT>(estimate(w.d1) + estimate(length));
+    const auto allowance = pruning_allowance<FT>(estimate(w.d1) + estimate(length), mesh.longest_edge());
     return Window_pruning<FT>(length, ds, dt, allowance).trim(w) && !certainly_less(maximum, minimum(w));
   }
 
@@ -401,12 +372,12 @@ public:
 
   // Appends windows to the list of their halfedge, and enqueues the halfedge.
   void append(const Output& output) { append(output, field.lists.arena(0)); }
-  BOOST_FORCEINLINE void append(const Output& output, Window_arena<Window>& arena)
+  BOOST_FORCEINLINE void append(const Output& output, typename Window_lists<FT>::Arena& arena)
   {
     if (output.size() != 0) append_windows(output, arena);
   }
 
-  BOOST_NOINLINE void append_windows(const Output& output, Window_arena<Window>& arena)
+  BOOST_NOINLINE void append_windows(const Output& output, typename Window_lists<FT>::Arena& arena)
   {
     const std::size_t n = output.size();
     const Index h = output.halfedge();
@@ -429,19 +400,10 @@ public:
     p.queue.push_halfedge(bucket, h);
   }
 
-  // Puts a halfedge into the bucket in which the front has passed a gap in its list, at distance d.
-  void await_gap(Index h, Window_list<FT>& list, const FT& d)
-  {
-    if (!(d <= maximum) || !Number_policy<FT>::is_finite(d)) return;
-    Bucket_queue& queue = m_part[parts.of_halfedge(h)].queue;
-    list.has_gap = true;
-    list.bucket = (std::max)(queue.bucket_of(d), queue.current()) + 1;
-    queue.push_halfedge(list.bucket, h);
-  }
-
   const Unfolded_mesh<FT>& mesh;
   FT maximum;
   const bool needs_envelopes;
+  bool starts_ties = true; // within a tolerance, merging closes the gaps that rays of directions that tie would fill
   Geodesic_field<FT>& field;
   const Front_parts parts;
   std::vector<char> vertex_state, face_state; // bits
@@ -449,6 +411,9 @@ public:
   Pending_faces pending_faces;
 
 private:
+  // Units of rounding of a distance within which two paths to a vertex count as equally long.
+  static constexpr double roundings_at_vertex = 64;
+
   // Largest number of buckets by which a face is postponed, so that the number of buckets stays bounded. A face with a very
   // long edge is postponed several times.
   static constexpr std::size_t most_buckets_ahead = 1 << 12;

@@ -116,14 +116,6 @@ public:
     return m_windows;
   }
 
-  // Error of the distance of a vertex or window with the given origin. If the distance of a pseudo-source has decreased since,
-  // its new error is valid for the old distance too.
-  double error_of_origin(Index origin) const
-  {
-    while (origin != no_index && !Merge_error_code::is_merged(origin)) origin = m_field.back[origin].pseudo_source;
-    return error_of_image(origin);
-  }
-
 private:
   // Least length of lists that are merged, times t^(1/3). Of those longer than `short_list`, every second is merged, and of
   // shorter ones than the least, if they are longer than `long_list`, every eighth. Measured by benchmark/.../tolerance_times.cpp:
@@ -133,14 +125,11 @@ private:
   static constexpr std::size_t short_list = 4, long_list = 16;
   static constexpr Index stride = 2, long_list_stride = 8;
 
+  // Units of rounding of the distances by an image that has crossed a strip of many faces, see Lower_envelope.
+  static constexpr double roundings_of_image = 64;
+
   // Part of what a relative tolerance leaves that one merge may use, so that later merges have the rest.
   static constexpr double share_of_relative_tolerance = 0.5;
-
-  // Error of a window with the given origin without that of its pseudo-source.
-  static double error_of_image(Index origin)
-  {
-    return Merge_error_code::is_merged(origin) ? Merge_error_code::error(origin) : 0;
-  }
 
   FT allowed_at(const FT& distance) const
   {
@@ -150,7 +139,7 @@ private:
   void count(const Window& merged)
   {
     ++m_counts.windows_merged;
-    const double e = error_of_origin(merged.pseudo_source());
+    const double e = m_field.error_of_origin(merged.pseudo_source());
     m_counts.error_bound = (std::max)(m_counts.error_bound, e);
     const double least = CGAL::to_double(minimum(merged));
     if (e > m_counts.relative_error_bound * least)
@@ -219,14 +208,13 @@ private:
   {
     const FT most = share(a, b, FT(0));
     if (a.is_propagated() || b.is_propagated() || b.b0 - a.b1 > most || !have_same_source(a, b)) return false;
-    const FT unit = Number_policy<FT>::rounding(16) * (a.d0 + b.d1 + b.b1 - a.b0);
+    const FT rounding = Number_policy<FT>::rounding(1) * (a.d0 + b.d1 + b.b1 - a.b0), unit = 16 * rounding;
     const bool is_like_b = a.b1 - a.b0 < b.b1 - b.b0; // the wider one has the more precise image
     m = is_like_b ? b : a;
-    m.b0 = a.b0;
-    m.d0 = a.d0;
-    m.b1 = b.b1;
-    m.d1 = b.d1;
-    if (passes(m, !is_like_b, unit) && passes(m, is_like_b, unit) && accept(a, b, unit, false, m)) return true;
+    take_ends(a, b, m);
+    if (const FT u = FT(roundings_of_image) * rounding;
+        passes(m, !is_like_b, u) && passes(m, is_like_b, u) && accept(a, b, u, false, m))
+      return true;
     const FT l = m.b1 - m.b0, rise = m.d1 - m.d0, n = (l - rise) * (l + rise), c = rise / l;
     // The error of rays is the rounding of the distances over the width of the run across them. If it is a large part of the
     // width, as in needles, the image is noise.
@@ -236,7 +224,20 @@ private:
     // As in exceeds(), with r0.
     const FT q = b.b0 - a.b0, k = height_at_joint(a, b) - c * q;
     if (n * q * (l - q) > (most - k) * (2 * l * l * (r0 + c * q))) return false;
-    return place_image(n, c, r0, m) && passes(m, false, unit) && passes(m, true, unit) && accept(a, b, unit, true, m);
+    if (!place_image(n, c, r0, m)) return false;
+    take_ends(a, b, m);
+    return passes(m, false, unit) && passes(m, true, unit) && accept(a, b, unit, true, m);
+  }
+
+  // Sets the interval and the rays of m, which has an image. A ray through a position has the rounding of the position over its
+  // distance from the image, so it may lie inside the ray of the first or the last window; then this one bounds m.
+  static void take_ends(const Window& a, const Window& b, Window& m)
+  {
+    m.set_begin(a.b0, a.d0);
+    m.set_end(b.b1, b.d1);
+    if (m.is_parallel()) return;
+    m.t0 = (std::min)(m.t0, a.slope(a.t0));
+    m.t1 = (std::max)(m.t1, b.slope(b.t1));
   }
 
   // Tests the conditions with the image of m, and sets its origin. The origin of a new image is a code of its error, even if
@@ -252,7 +253,7 @@ private:
     if (at_a > a.d1 + rounding || at_b > b.d0 + rounding) return false;
     FT added = a.b1 > b.b0 ? deviation_in_overlap(a, b, m) : deviation_in_gap(a, b, m, a.d1 - at_a, b.d0 - at_b);
     added = (std::max)({added, deviation_inside(a, m), deviation_inside(b, m)});
-    const FT before = FT((std::max)(error_of_origin(a.pseudo_source()), error_of_origin(b.pseudo_source())));
+    const FT before = FT((std::max)(m_field.error_of_origin(a.pseudo_source()), m_field.error_of_origin(b.pseudo_source())));
     if (added > share(a, b, before)) return false;
     const bool is_rounding = 4 * added <= rounding;
     if (is_rounding && !has_new_image && a.pseudo_source() == b.pseudo_source())

@@ -183,51 +183,6 @@ public:
     else if (exist(from, to) && !comes_first(back.corner, from.corner, to.corner)) f(from, to, from.corner);
   }
 
-  // Calls f(from, to, first) for the margins of these sectors: the directions beside each bounding ray, up to
-  // margin_angle(). If paths from several images tie at the vertex, `back` belongs to one image only. Rounding may have dropped
-  // the rays of the others next to the bounding ray, up to an angle of the square root of the relative rounding error of
-  // distances. Rays in a margin close this gap. Their paths are on the surface, and are as long as shortest paths up to
-  // rounding. margin_surcharge() makes them lose ties.
-  //
-  // `ties`: true if other paths may tie. `hidden`: the angle of a known gap behind the vertex
-  // (Wavefront_state::hidden_angle()), which the margins also cover.
-  template <class Function>
-  void for_each_margin_behind(const Ray& back, bool ties, const FT& hidden, const Function& f) const
-  {
-    if (!ties && CGAL::is_zero(hidden)) return;
-    const FT angle = margin_angle(back, ties, hidden);
-    if (!CGAL::is_positive(angle)) return;
-    const Index first = m_mesh->first_on_border(back.corner);
-    const Ray before = half_turn_ccw(back, angle), behind = half_turn_cw(back, angle);
-    // The other end of a hidden gap at a border vertex: no rays start in its sector if the total angle is pi up to rounding.
-    const FT beyond = first == no_index ? FT(0) : FT(-hidden);
-    const Ray from = half_turn_ccw(back, beyond), to = half_turn_cw(back, beyond);
-    if (first == no_index && !(exist(before, from) && exist(to, behind))) return;
-    if (before.corner != no_index) f(before, from, first);
-    if (behind.corner != no_index) f(to, behind, first);
-  }
-
-  // Width of margins: 2^-20 radians, eight times the square root of the tie tolerance 2^-46. A margin may contain several
-  // corners of needles. Zero if the sectors are narrower than 2^-36 radians: a path that bends by this angle is longer by a
-  // fraction of 2^-75, so the vertex is flat up to rounding, and the windows on its two sides leave no gap.
-  FT margin_angle(const Ray& back, bool ties, const FT& hidden) const
-  {
-    if constexpr (!Number_policy<FT>::is_inexact) return FT(0);
-    else
-    {
-      bool is_flat = true;
-      if (ties)
-        for_each_sector_behind(back, [&](const Ray& from, const Ray& to, Index first) {
-          is_flat = is_flat && is_narrow(from, to, first, FT(1. / (std::uint64_t(1) << 36)));
-        });
-      return is_flat ? hidden : FT((std::max)(hidden, FT(1. / (1 << 20))));
-    }
-  }
-
-  // Surcharge on the distances of rays in a margin: larger than the rounding error of two distances, so that margins lose
-  // ties.
-  static FT margin_surcharge(const FT& largest_distance) { return Number_policy<FT>::rounding(64) * largest_distance; }
-
   // Intersection of the sector [from, to] with the corner at the source of h: its bounding rays, null for the edges of the
   // corner. False if empty.
   bool part_in_corner(const Ray& from, const Ray& to, Index first, Index h, const Ray*& lower, const Ray*& upper) const
@@ -256,19 +211,6 @@ private:
   // False if turns around an interior vertex have failed: the total angle is so small that a half turn passes more corners than
   // the mesh has halfedges. (At a border vertex, a ray without a corner stands for the border.)
   static bool exist(const Ray& a, const Ray& b) { return a.corner != no_index && b.corner != no_index; }
-
-  // True if a sector, with arguments as in for_each_corner(), lies in one corner and is at most as wide as a small angle.
-  bool is_narrow(const Ray& from, const Ray& to, Index first, const FT& angle) const
-  {
-    int number_of_corners = 0;
-    bool result = true;
-    for_each_corner(from, to, first, [&](Index h, const Ray* lower, const Ray* upper) {
-      const Ray a = lower ? *lower : Ray{h, FT(1), FT(0)};
-      const Ray b = upper ? *upper : Ray{h, (*m_mesh)[h].apex_x, (*m_mesh)[h].apex_y};
-      result = ++number_of_corners == 1 && cross(a.x, a.y, b.x, b.y) <= angle * (a.x * b.x + a.y * b.y);
-    });
-    return result;
-  }
 
   // Turns `back` by a half turn minus an angle. The angle is subtracted after the first quarter turn: `back` may lie on the
   // border, and cannot be turned beyond it.

@@ -56,8 +56,7 @@ template <class Traits, class T = const Traits&>
 using Functors_of =
   std::tuple<decltype(std::declval<T>().construct_apices_2_object()), decltype(std::declval<T>().change_frame_2_object()),
              decltype(std::declval<T>().compare_entry_with_apex_2_object()),
-             decltype(std::declval<T>().construct_exit_2_object()), decltype(std::declval<T>().compute_distance_2_object()),
-             decltype(std::declval<T>().compare_distance_2_object())>;
+             decltype(std::declval<T>().compute_distance_2_object()), decltype(std::declval<T>().compare_distance_2_object())>;
 
 // The traits of the computation: the user's, unless these have the functors of the package's traits. Then the traits are those of
 // the package for the number type of the computation, without the type of the mesh: the front is the same for all meshes.

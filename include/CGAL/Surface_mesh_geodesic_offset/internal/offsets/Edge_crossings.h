@@ -64,7 +64,7 @@ private:
   // Adds the windows of a halfedge's list, and those that start inside its face.
   void add_side(Index h, bool reversed)
   {
-    m_field.for_each_window(h, [&](const Window<FT>& w) {
+    m_field.for_each_window(m_mesh, h, [&](const Window<FT>& w) {
       if (this->has_offset(w)) m_near.add_window(w, reversed);
     });
     const auto range = local_windows(m_initial, m_mesh.face(h));

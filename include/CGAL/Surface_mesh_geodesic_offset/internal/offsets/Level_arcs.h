@@ -71,9 +71,9 @@ public:
     m_boxes.build();
   }
 
-  // Adds fans: windows of the paths that bend at an end of a window's interval or at a corner. They close gaps between windows
-  // of one edge. Such gaps arise only where the front drops windows as narrow as rounding, or windows that begin at the
-  // distance limit. As fans are rarely needed, they are added on demand.
+  // Adds fans: windows of the paths that bend at a corner, in all directions. They close gaps between the cone of the corner and
+  // the windows beside it: of two paths to the corner that tie within rounding, the cone continues one, and a window the other;
+  // their directions differ by up to the root of rounding. As fans are rarely needed, they are added on demand.
   void add_fans()
   {
     if (m_fans.empty()) make_fans();
@@ -85,8 +85,6 @@ public:
   }
   bool has_fans() const { return m_has_fans; }
   bool is_fan(std::size_t i) const { return m_has_fans && i >= m_first_fan; }
-  // True for a fan at an end of a parallel-source window's interval.
-  bool is_fan_of_strip(std::size_t i) const { return is_fan(i) && m_arcs[i].window().edge == fan_of_strip; }
 
   // Selects tie tolerance i of Offset_tolerances.
   void use_tie(int factor) { m_tolerances.use_tie(factor); }
@@ -198,36 +196,17 @@ private:
     m_boxes.push_back(box);
   }
 
-  // Makes a fan at each end of a window's interval and at each corner. It consists of all directions into the face.
   void make_fans()
   {
-    const std::vector<Face_window<FT>>& windows = m_field->windows();
-    m_fans.reserve(2 * windows.size());
-    for (const Face_window<FT>& w : windows)
+    for (const Face_window<FT>& w : m_field->windows())
     {
-      if (w.origin == STARTS_IN_FACE) continue;
-      const int side = w.origin == STARTS_AT_CORNER ? int(w.edge) : int(w.origin);
-      const Point along = m_field->size() * m_field->frame().direction(side);
-      const auto add = [&](const Point& p) {
-        Face_window<FT> fan = w;
-        fan.x = p.x;
-        fan.y = p.y;
-        fan.sigma = w.distance_at(p);
-        fan.left = p - along;
-        fan.right = p + along;
-        fan.bits = Window<FT>::make_bits(false, w.pseudo_source());
-        fan.origin = STARTS_AT_CORNER;
-        if (w.is_parallel()) fan.edge = fan_of_strip;
-        this->m_fans.push_back(fan);
-      };
-      if (w.origin == STARTS_AT_CORNER) add(w.image());
-      else
-      {
-        add(w.left);
-        add(w.right);
-      }
+      if (w.origin != STARTS_AT_CORNER) continue;
+      const Point along = m_field->size() * m_field->frame().direction(int(w.edge));
+      Face_window<FT> fan = w;
+      fan.left = w.image() - along;
+      fan.right = w.image() + along;
+      m_fans.push_back(fan);
     }
-    CGAL_assertion(m_fans.size() <= 2 * windows.size()); // m_fan_cones has pointers to them
     for (const Face_window<FT>& w : m_fans) m_fan_cones.emplace_back(w, w.sigma, m_field->frame(), m_margin);
   }
 
@@ -309,8 +288,6 @@ private:
     }
     return false;
   }
-
-  static constexpr unsigned char fan_of_strip = 4; // marks such a fan in Face_window::edge, which is less than 4 otherwise
 
   const Offset_sources<FT>& m_sources;
   const Face_field<FT>* m_field = nullptr;

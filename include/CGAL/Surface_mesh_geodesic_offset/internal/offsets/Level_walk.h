@@ -17,8 +17,6 @@
 
 #include <CGAL/assertions.h>
 
-#include <boost/config.hpp>
-
 #include <algorithm>
 #include <cstddef>
 #include <vector>
@@ -173,12 +171,10 @@ private:
 
   // The next run of a chain, from the end of the last run or from the starting gate. Of all arcs through that point, it is the
   // run of least rank, and of these the longest. The rank is the sum of:
-  //   1  a fan of a strip: beyond the end of a source segment, it ties with the fan of a window about that end, which has the
-  //      right source;
-  //   2  a fan (Level_arcs::add_fans()): it ties with the windows beside its gap;
-  //   4  a run that turns back: where two arcs are within `tie` of each other, each passes through all points of the other;
-  //   8  the end of a part that a chain has followed: where three arcs meet up to rounding, a chain might go back and forth;
-  //  16  a run that meets a side without a gate: the next arc is within rounding there, and the chain has to turn back.
+  //   1  a fan (Level_arcs::add_fans()): it ties with the windows beside its gap;
+  //   2  a run that turns back: where two arcs are within `tie` of each other, each passes through all points of the other;
+  //   4  the end of a part that a chain has followed: where three arcs meet up to rounding, a chain might go back and forth;
+  //   8  a run that meets a side without a gate: the next arc is within rounding there, and the chain has to turn back.
   Run best_run(const Run& last, const Point& p) const
   {
     Run best;
@@ -187,37 +183,16 @@ private:
     m_arcs.for_each_through(p, last.arc, [&](std::size_t i) {
       const Point start = last.is_covered ? joint(last, i) : p;
       const bool turns_back = last.is_valid() && CGAL::is_negative(dot(m_arcs[i].tangent(p), heading));
-      int rank = 4 * int(turns_back) + 2 * int(m_arcs.is_fan(i)) + int(m_arcs.is_fan_of_strip(i));
+      int rank = 2 * int(turns_back) + int(m_arcs.is_fan(i));
       if ((last.leaves && !turns_back) || (best.is_valid() && rank > best_rank)) return;
       const Run run = run_of(i, start, !last.is_valid());
       if (!run.is_valid() || repeats(last, run)) return;
-      rank += 8 * int(is_known_end(run)) + 16 * int(run.leaves);
+      rank += 4 * int(is_known_end(run)) + 8 * int(run.leaves);
       if (best.is_valid() && (rank > best_rank || (rank == best_rank && !(run.length > best.length)))) return;
       best = run;
       best_rank = rank;
     });
-    if (best.is_valid() && m_arcs.is_fan(best.arc)) end_at_window(best);
     return best;
-  }
-
-  // Ends the run of a fan where the arc of a window begins that ties with it: a fan only closes a gap between windows, and
-  // pieces in the cone of a window have the source of that window. Fans are rare: inlined, this would displace the code of all
-  // other runs.
-  BOOST_NOINLINE void end_at_window(Run& run) const
-  {
-    const Arc& a = m_arcs[run.arc];
-    m_arcs.for_each_near(run.arc, [&](std::size_t i) {
-      const Point& start = m_arcs[i].start();
-      if (m_arcs.is_fan(i) || !m_arcs.passes(run.arc, start) || !a.is_between(run.start, start, run.end)) return;
-      const FT way = a.advance(run.start, start);
-      if (!(way > m_arcs.tolerances().tie)) return;
-      const Run next = run_of(i, start, false);
-      if (!next.is_valid() || next.leaves || !m_arcs.passes(run.arc, m_arcs[i].middle(next.start, next.end))) return;
-      run.gate = none;
-      run.is_covered = run.leaves = false;
-      run.end = start;
-      run.length = way;
-    });
   }
 
   // True if a run ends at its own beginning, the end of the last run, after going back along the last run. The arcs of

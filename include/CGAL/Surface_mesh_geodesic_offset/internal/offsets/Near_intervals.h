@@ -96,7 +96,7 @@ public:
       }
     });
     // Paths that bend at an end of the chord are valid in the whole face. They close gaps beside the cone: a ray may run along the
-    // segment, or its direction may be lost to rounding where the image is next to the chord.
+    // segment.
     for (const Point& bend : {w.left, w.right})
       add_disk(bend, FT(m_level - w.distance_at(bend)), o, u, reversed, FT(0), m_length);
   }
@@ -227,9 +227,8 @@ private:
   void cut_cone(const Face_window<FT>& w, const Point& o, const Point& u, const Function& f) const
   {
     FT lo(0), hi = m_length;
-    const Point l = w.ray_direction(w.left), r = w.ray_direction(w.right);
-    if (!clip(-cross(l, o - w.left), -cross(l, u), FT(0), lo, hi)) return;
-    if (!clip(cross(r, o - w.right), cross(r, u), FT(0), lo, hi)) return;
+    if (!clip(-w.left_side(o), -cross(w.left_ray(), u), FT(0), lo, hi)) return;
+    if (!clip(w.right_side(o), cross(w.right_ray(), u), FT(0), lo, hi)) return;
     if (w.is_parallel() && (is_inexact || w.origin == STARTS_IN_FACE))
     { // only points in front of the source or chord: rays along the chord also pass points behind it, by rounding
       const FT nearest = w.origin == STARTS_IN_FACE ? w.start_value : (std::min)(w.distance_at(w.left), w.distance_at(w.right));

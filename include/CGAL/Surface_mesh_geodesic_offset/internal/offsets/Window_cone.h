@@ -36,12 +36,12 @@ public:
   // `margin` widens the box and the largest distance.
   Window_cone(const Face_window<FT>& w, const Face_frame<FT>& frame, const FT& margin) : m_box(w.left)
   {
-    const Point l = w.ray_direction(w.left), r = w.ray_direction(w.right);
+    const Point l = w.left_ray(), r = w.right_ray();
     m_left_direction = (FT(1) / length(l)) * l;
     m_right_direction = (FT(1) / length(r)) * r;
     const Point nl = quarter_turn(m_left_direction), nr = FT(-1) * quarter_turn(m_right_direction);
-    m_left = {nl, dot(nl, w.left)};
-    m_right = {nr, dot(nr, w.right)};
+    m_left = {nl, dot(nl, w.is_parallel() ? w.left : w.image())};
+    m_right = {nr, dot(nr, w.is_parallel() ? w.right : w.image())};
     clip_face(w, frame, margin);
     if (w.origin >= STARTS_IN_FACE && !w.is_parallel()) m_box.add(w.image());
     m_box.widen(margin);

@@ -30,7 +30,7 @@ bool may_have_interior_maximum(const Face_field<FT>& field)
   {
     if (w.origin == STARTS_IN_FACE) return true;
     if (w.is_empty()) continue;
-    const Point r = w.ray_direction(w.right), l = w.ray_direction(w.left);
+    const Point r = w.right_ray(), l = w.left_ray();
     if (empty)
     {
       from = r;

@@ -88,6 +88,7 @@ private:
   struct Nearest : Nearest_kept_window<FT>
   {
     FT distance = Number_policy<FT>::infinity();
+    FT bent = Number_policy<FT>::infinity();      // path around the end of a source in the face
     FT by_corner = Number_policy<FT>::infinity(); // smallest distance by way of a corner
     int corner = 0;
     bool has_local_windows = false; // of sources in the face or at its corners; evaluated only if corner 0 is near enough
@@ -119,15 +120,14 @@ private:
     const FT extent = m_mesh[h].length + m_mesh[h + 1].length + m_mesh[h + 2].length;
     // Upper bound of the distances of the corners of a face that contains a source.
     if (!is_reached || d[0] <= extent + m_field.start_values.largest()) add_local_windows(face, n);
-    // Part of the lengths that is far above rounding; more candidates only take time.
-    const FT candidate_fraction = Number_policy<FT>::is_inexact ? FT(1. / (1 << 20)) : FT(0);
-    m_field.kept.find_nearest(face, n.q, FT(candidate_fraction * (n.by_corner + extent)), m_field.distance, n);
+    m_field.kept.find_nearest(face, n.q, error_of_rays(m_mesh, FT((std::min)(n.by_corner, m_field.maximum) + extent)),
+                              m_field.distance, n);
     const FT shortest = (std::min)({n.straight, n.bent, n.by_corner});
     const FT tie = shortest + Number_policy<FT>::rounding(16) * shortest;
     n.distance = n.straight <= tie ? n.straight : n.by_corner <= tie ? n.by_corner : shortest;
     const FT s = start_value(face, n);
     // A point on the source has the start value. Merged windows may give less by more than rounding; this distance stays.
-    const FT size = size_of_point(m_mesh, face), least = s - size - window_allowance<FT>(s + extent);
+    const FT size = size_of_point(m_mesh, face), least = s - size - window_allowance<FT>(s + m_mesh.longest_edge());
     if (n.distance <= s + size && n.distance >= least) n.distance = s;
     return n;
   }
@@ -175,7 +175,7 @@ private:
     start.distance = n.distance;
     if (n.window != no_index && n.distance == n.straight)
     {
-      const Window<FT> w = m_field.kept.rays_of_window(n.window, m_field.distance, m_field.source_ref);
+      const auto w = m_field.kept.rays_of_window(n.window, m_field.distance, m_field.source_ref);
       if (w.source_ref.side() == Source_side::CAP) return false; // the side of a segment may tie
       set_source(w.source_ref, start);
       start.pseudo_source = w.is_parallel() ? no_index : w.pseudo_source();
@@ -277,15 +277,12 @@ private:
       // A path that leaves through the edge of q belongs to the other face, which may be smaller and have less rounding.
       const bool stays = edge == -1 || int(w.edge) != edge || w.origin > ENTERS_HALFEDGE_2;
       const bool ties = field.tie(d, start.distance), is_straight = field.contains(i, q);
-      // A straight path is preferred to a path around the end of a window that is shorter by rounding.
-      const bool may_start = ties || (is_straight && field.tie_in_margin(d, start.distance));
       // A straight path of a side is preferred to one of the cap. A path around the end of a strip leads to the end of the
       // segment, as the rays of the cap do, so these are preferred.
       const bool is_preferred_kind = is_straight ? !field.is_cap(i) : !w.is_parallel();
-      // In this order, see "Consistent results" in the manual: a straight path that ties, a straight path in a margin, a path
-      // of the preferred kind, a path that stays in the face.
-      const int preference =
-        may_start ? 8 * int(is_straight && ties) + 4 * int(is_straight) + 2 * int(is_preferred_kind) + int(stays) : -1;
+      // In this order, see "Consistent results" in the manual: a straight path, a path of the preferred kind, a path that
+      // stays in the face.
+      const int preference = ties ? 4 * int(is_straight) + 2 * int(is_preferred_kind) + int(stays) : -1;
       if (preference < best.preference || (preference == best.preference && !(d < best.distance))) continue;
       best = {preference, d};
       set(start, field.face(), q, w, is_straight);

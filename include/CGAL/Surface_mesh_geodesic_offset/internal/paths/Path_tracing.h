@@ -76,42 +76,7 @@ public:
     return {Surface_point_::at_vertex(v), m_field.source_ref[v]};
   }
 
-  // If the path from v first runs along an edge, changes its backtrace to lead to the end of this edge, and returns true.
-  bool find_backtrace(Index v, Backtrace<FT>& back, Source_ref& source_ref) const
-  {
-    if (back.corner == no_index || starts_within_face(v, back.corner)) return false;
-    const Path_start<FT> start = m_start.at_vertex(v);
-    if (start.halfedge == no_index) return false;
-    const Straight_walk<FT> walk(m_mesh, start.halfedge, start.from, start.to);
-    const FT limit = start.distance * (FT(1) + Number_policy<FT>::rounding(512));
-    const auto may_lead_to = [&](int k) { return m_field.distance[walk.vertex(k)] + length(walk.corner(k)) <= limit; };
-    if (!may_lead_to(1) && !may_lead_to(2)) return false;
-    Passed_crossings<FT> passed;
-    const End end = follow(start, passed);
-    if (!passed.empty() || end.point.kind != Surface_point_::VERTEX) return false;
-    const Index next = end.point.element;
-    for (int k : {1, 2})
-      if (walk.vertex(k) == next)
-      {
-        back = Backtrace<FT>({start.halfedge, walk.corner(k).x, walk.corner(k).y}, next);
-        source_ref = end.is_at_source() ? end.source_ref : m_field.source_ref[next];
-        return true;
-      }
-    return false;
-  }
-
 private:
-  // True if the path from v, which starts in the face of h, certainly does not lead to another corner of the face. This is a
-  // cheap filter with a larger allowance than the decision in find_backtrace().
-  bool starts_within_face(Index v, Index h) const
-  {
-    if constexpr (!Number_policy<FT>::is_inexact) return (void)v, (void)h, false;
-    const auto &next = m_mesh[m_mesh.next(h)], &previous = m_mesh[m_mesh.previous(h)];
-    const FT limit = m_field.distance[v] * (FT(1) + Number_policy<FT>::rounding(1024));
-    return m_field.distance[next.origin] + m_mesh[h].length > limit &&
-           m_field.distance[previous.origin] + previous.length > limit;
-  }
-
   // End of the path from a point of a source: the point itself.
   End end_at_source(const Surface_point_& p, const Path_start<FT>& start) const
   {

@@ -119,7 +119,6 @@ public:
   std::vector<Index> source_of;         // per primitive, its source
   Start_values<FT> start_values;        // of the primitives
   std::vector<Local_window> local;
-  std::vector<Local_window> beyond_edges; // rays that start in the face beyond an edge next to their image; for the front only
   std::vector<Edge_window> edges;
   std::vector<Vertex_fan> fans;
   std::vector<Vertex_seed> seeds;
@@ -165,8 +164,11 @@ public:
   {
     if (p.kind == Surface_point_::FACE)
     {
-      add_sector_in_face(Sector(p.element, {p.x, p.y}, from, to, -1), source_ref, local);
-      return add_sectors_beyond(source_ref);
+      const Face_frame<FT> frame(m_mesh, p.element);
+      const int k = edge_of_point(frame, {p.x, p.y});
+      if (k == -1) return add_sector_in_face(p, p.element, {p.x, p.y}, from, to, -1, source_ref);
+      const Point f = from ? frame.vector_to_halfedge(k, *from) : Point(), t = to ? frame.vector_to_halfedge(k, *to) : Point();
+      return add_flat_sector(at_edge(p, frame, k), from ? &f : nullptr, to ? &t : nullptr, source_ref);
     }
     for (const Index h : {p.element, m_mesh.twin(p.element)})
     {
@@ -178,9 +180,8 @@ public:
       Point f, t;
       if (from) f = frame.vector_from_halfedge(k, turned ? FT(-1) * *from : *from);
       if (to) t = frame.vector_from_halfedge(k, turned ? FT(-1) * *to : *to);
-      add_sector_in_face(Sector(m_mesh.face(h), position, from ? &f : nullptr, to ? &t : nullptr, k), source_ref, local);
+      add_sector_in_face(p, m_mesh.face(h), position, from ? &f : nullptr, to ? &t : nullptr, k, source_ref);
     }
-    add_sectors_beyond(source_ref);
   }
 
   // Uncertainty of the direction of a segment of the given length, an angle, from the rounding of its ends in a face. Zero if
@@ -191,14 +192,23 @@ public:
     else return direction_uncertainty(Face_frame<FT>(m_mesh, face).longest_edge(), segment);
   }
 
-  // Rounding error of the height of a point of a face over an edge: half a unit of the longest edge for the product, and for the
-  // sum, of a coordinate. A point inside the face that is nearer to an edge may seem to lie on or behind it.
-  static FT rounding_of_height(const Face_frame<FT>& frame) { return Number_policy<FT>::rounding(1) * frame.longest_edge(); }
-
   // Adds seeds at the corners of the faces of a point inside a face or an edge. source_ref_of(v): source reference for a corner
   // at v, relative to p, in the frame of the point's face or halfedge.
   template <class Function>
   void add_seeds_of_point(const Surface_point_& p, const Function& source_ref_of)
+  {
+    if (p.kind == Surface_point_::FACE)
+    {
+      const Face_frame<FT> frame(m_mesh, p.element);
+      if (const int k = edge_of_point(frame, {p.x, p.y}); k != -1)
+        return add_seeds(at_edge(p, frame, k), [&](const Point& v) { return source_ref_of(frame.vector_from_halfedge(k, v)); });
+    }
+    add_seeds(p, source_ref_of);
+  }
+
+private:
+  template <class Function>
+  void add_seeds(const Surface_point_& p, const Function& source_ref_of)
   {
     for (Index f : faces_of(m_mesh, p))
     {
@@ -206,30 +216,15 @@ public:
       unsigned edges_of_p;
       position_in_face(m_mesh, p, f, position, edges_of_p);
       const Face_frame<FT> frame(m_mesh, f);
+      const Per_corner<Point> to_corner = vectors_to_corners(p, frame, f, position);
       for (int k = 0; k < 3; ++k)
       {
-        const Point back = position - frame.corner(k);
-        seed_corner(f, frame, k, length(back), back, source_ref_of(vector_at_point(m_mesh, p, f, FT(-1) * back)));
+        const Point back = FT(-1) * to_corner[k];
+        seed_corner(f, frame, k, length(back), back, source_ref_of(vector_at_point(m_mesh, p, f, to_corner[k])));
       }
     }
   }
 
-  // For a vertex next to the opposite edge of a face: adds the rays from the source of h in the face of h, counterclockwise from
-  // `lower` to `upper` (null: the edge of the corner), to `beyond_edges` and `seeds`.
-  void add_rays_beyond(Index h, const Ray* lower, const Ray* upper, Source_ref source_ref)
-  {
-    const int k = int(h % 3);
-    const Face_frame<FT> frame(m_mesh, m_mesh.face(h));
-    const Point p = frame.corner(k);
-    const auto direction = [&](const Ray* r, const Point& end) {
-      return r ? frame.vector_from_halfedge(k, Point{r->x, r->y}) : end - p;
-    };
-    const Point from = direction(lower, frame.corner((k + 1) % 3)), to = direction(upper, frame.corner((k + 2) % 3));
-    cross_edge(Sector(m_mesh.face(h), p, &from, &to, k), frame, (k + 1) % 3, source_ref);
-    add_sectors_beyond(source_ref);
-  }
-
-private:
   // Sorts by a key; items with the same key keep their order. Sorts numbers: std::stable_sort() compiles to 90 functions per type.
   template <class Item, class Key>
   static void sort_stably(std::vector<Item>& items, const Key& key)
@@ -277,154 +272,88 @@ private:
     edges.swap(kept);
   }
 
-  // Rays from a point inside a face (entry -1), on its halfedge `entry`, or behind that halfedge, counterclockwise from `from`
-  // to `to`.
-  struct Sector
+  // The vectors from a point to the corners of a face. A point of an edge may be so near to its end that only the direction of the
+  // edge determines that of the vector.
+  Per_corner<Point> vectors_to_corners(const Surface_point_& point, const Face_frame<FT>& frame, Index face,
+                                       const Point& p) const
   {
-    Index face;
-    Point p, from, to;
-    bool has_from, has_to; // otherwise in all directions
-    int entry;
-    Index known;                        // a face that the rays have crossed
-    unsigned steps = 0, next_known = 1; // edges crossed; when `known` becomes the face
+    Per_corner<Point> result = {frame.corner(0) - p, frame.corner(1) - p, frame.corner(2) - p};
+    if (point.kind != Surface_point_::EDGE) return result;
+    const bool turned = m_mesh.face(point.element) != face;
+    const Index h = turned ? m_mesh.twin(point.element) : point.element;
+    const int k = int(h % 3);
+    const FT rest = m_mesh[h].length - point.x;
+    result[k] = (turned ? FT(-rest) : FT(-point.x)) * frame.direction(k);
+    result[(k + 1) % 3] = (turned ? point.x : rest) * frame.direction(k);
+    return result;
+  }
 
-    Sector(Index face_, const Point& p_, const Point* from_, const Point* to_, int entry_)
-      : face(face_), p(p_), from(from_ ? *from_ : p_), to(to_ ? *to_ : p_), has_from(from_), has_to(to_), entry(entry_),
-        known(face_)
-    {
-    }
-  };
-
-  // Appends the rays of a sector in a face to `out`.
-  //
-  // Near the image, the ends of a window on an edge are too coarse for the directions of its bounding rays. So rays that cross
-  // an edge near the image start a second time, in the face beyond the edge. A sector narrower on the edge than rounding starts
-  // only there.
-  void add_sector_in_face(const Sector& sector, Source_ref source_ref, std::vector<Local_window>& out)
+  // Adds the rays of a sector in a face from a point, p in the frame of the face, inside the face (entry -1) or on its halfedge
+  // `entry`, counterclockwise from `from` to `to`; null: in all directions.
+  void add_sector_in_face(const Surface_point_& point, Index face, const Point& p, const Point* from, const Point* to,
+                          int entry, Source_ref source_ref)
   {
-    const Index face = sector.face;
-    const Point& p = sector.p;
-    const Point *const from = sector.has_from ? &sector.from : nullptr, *const to = sector.has_to ? &sector.to : nullptr;
-    const int entry = sector.entry;
     const Face_frame<FT> frame(m_mesh, face);
+    const Per_corner<Point> to_corner = vectors_to_corners(point, frame, face, p);
     for (int k = 0; k < 3; ++k)
     {
-      if (k == entry || !is_before(frame, k, p)) continue;
+      if (k == entry) continue;
       // Seen from p, the right end of the edge is its source.
       const Point source = frame.corner(k), target = frame.corner((k + 1) % 3);
-      Point right = source, left = target;
-      const bool is_clipped = (!from || clip(p, *from, FT(1), right, left)) && (!to || clip(p, *to, FT(-1), right, left));
-      const bool is_narrow =
-        !is_clipped || dot(left - right, frame.direction(k)) <= Number_policy<FT>::rounding(64) * frame.edge_length(k);
-      // A sector within a half turn is bounded by the ends of the edge that lie inside it.
-      const bool from_is_inside = from && CGAL::is_positive(cross(source - p, *from));
-      const bool to_is_inside = to && CGAL::is_positive(cross(*to, target - p));
-      // A narrow sector at an end of the edge belongs to the next edge, unless that is a border edge.
-      const bool is_fan =
-        is_narrow && (from_is_inside ? CGAL::is_positive(cross(*from, target - p)) : is_border_edge(face, (k + 2) % 3)) &&
-        (to_is_inside ? CGAL::is_positive(cross(source - p, *to)) : is_border_edge(face, (k + 1) % 3));
-      // Rounding may reverse the ends of a narrow sector on the edge.
-      if (!is_clipped && !(is_fan && from_is_inside && to_is_inside)) continue;
-      if (is_fan ||
-          loses_rays_beyond(frame, k, p, from_is_inside ? &right : nullptr, to_is_inside ? &left : nullptr, right, left))
-      {
-        Sector part(sector);
-        part.from = from_is_inside ? *from : source - p;
-        part.to = to_is_inside ? *to : target - p;
-        cross_edge(part, frame, k, source_ref);
-      }
-      if (is_narrow) continue;
-      out.push_back({face,
-                     Face_window<FT>{p.x, p.y, m_start_value, left, right, source_ref, Window<FT>::make_bits(false, no_index),
-                                     STARTS_IN_FACE, (unsigned char)(k), m_start_value}});
+      const Point &to_source = to_corner[k], &to_target = to_corner[(k + 1) % 3];
+      if (!CGAL::is_positive(cross(to_source, to_target))) continue;
+      const auto is_between = [](const Point& first, const Point& u, const Point& last) {
+        return !CGAL::is_negative(cross(first, u)) && !CGAL::is_negative(cross(u, last));
+      };
+      // The common rays of the sector and of the corner at p over the edge.
+      const bool from_is_inside = from && is_between(to_source, *from, to_target);
+      const bool to_is_inside = to && is_between(to_source, *to, to_target);
+      if ((from && !(from_is_inside || is_between(*from, to_source, *to))) ||
+          (to && !(to_is_inside || is_between(*from, to_target, *to))))
+        continue;
+      const Point &right_ray = from_is_inside ? *from : to_source, &left_ray = to_is_inside ? *to : to_target;
+      // With p on the edge, the corner is a half turn up to rounding.
+      if (!CGAL::is_positive(cross(right_ray, left_ray)) && !CGAL::is_negative(dot(right_ray, left_ray))) continue;
+      const auto crossing = [&](const Point& u) {
+        const FT r = CGAL::abs(cross(u, to_source)), l = CGAL::abs(cross(u, to_target));
+        return CGAL::is_zero(FT(r + l)) ? source : Point(source + (r / (r + l)) * (target - source));
+      };
+      Point left = to_is_inside ? crossing(*to) : target;
+      const Point right = from_is_inside ? crossing(*from) : source;
+      // A cone that is narrower on the edge than rounding is empty for points of the face, but not for the faces beyond.
+      if (dot(left - right, frame.direction(k)) <= Number_policy<FT>::rounding(64) * frame.edge_length(k)) left = right;
+      local.push_back({face,
+                       Face_window<FT>{p.x, p.y, m_start_value, left, right, source_ref, Window<FT>::make_bits(false, no_index),
+                                       STARTS_IN_FACE, (unsigned char)(k), m_start_value, right_ray, left_ray}});
     }
   }
 
-  bool is_border_edge(Index face, int k) const { return m_mesh.twin(3 * face + Index(k)) == no_index; }
-
-  // False if p lies on or behind halfedge k by more than rounding.
-  static bool is_before(const Face_frame<FT>& frame, int k, const Point& p)
+  // Number of the edge on which p lies up to rounding, the nearest one, or -1. The directions from p to its ends are those of the
+  // edge: those of rounded coordinates may point out of the face.
+  static int edge_of_point(const Face_frame<FT>& frame, const Point& p)
   {
-    const FT height = frame.height(k, p);
-    if constexpr (!Number_policy<FT>::is_inexact) return CGAL::is_positive(height);
-    else return height > -rounding_of_height(frame);
-  }
-
-  // Adds the sector beyond halfedge k of its face to the pending ones, and a seed at the vertex behind the edge if the rays
-  // reach it. Rays that come to a face again, as around the tip of a narrow cone, are no shortest paths there: ends them, after
-  // one round or two.
-  void cross_edge(const Sector& sector, const Face_frame<FT>& frame, int k, Source_ref source_ref)
-  {
-    const Index g = m_mesh.twin(3 * sector.face + Index(k));
-    const Point &from = sector.from, &to = sector.to;
-    const bool is_narrow = // not of half a turn, up to rounding
-      CGAL::is_positive(dot(from, to)) && !(cross(from, to) > FT(least_angle_of_sector) * (length(from) * length(to)));
-    if (g == no_index || is_narrow) return;
-    const int entry = int(g % 3);
-    const Face_frame<FT> beyond(m_mesh, m_mesh.face(g));
-    const auto turned = [&](const Point& u) {
-      return beyond.vector_from_halfedge(entry, FT(-1) * frame.vector_to_halfedge(k, u));
-    };
-    const Point first = turned(from), last = turned(to), image = beyond.from_halfedge(entry, frame.to_twin(k, sector.p));
-    Sector next(m_mesh.face(g), image, &first, &last, entry);
-    if (next.face == sector.known) return;
-    next.known = sector.known;
-    next.steps = sector.steps + 1;
-    next.next_known = sector.next_known;
-    if (next.steps == next.next_known)
+    int result = -1;
+    if constexpr (Number_policy<FT>::is_inexact)
     {
-      next.known = next.face;
-      next.next_known *= 2;
+      FT least = Number_policy<FT>::rounding(roundings_of_height) * frame.longest_edge();
+      for (int k = 0; k < 3; ++k)
+        if (const FT height = frame.height(k, p); height <= least)
+        {
+          result = k;
+          least = height;
+        }
     }
-    const int apex = (entry + 2) % 3;
-    const Point back = image - beyond.corner(apex);
-    if (!CGAL::is_positive(cross(first, back)) && !CGAL::is_negative(cross(last, back)))
-      seed_corner(next.face, beyond, apex, length(back), back, source_ref);
-    m_sectors.push_back(next);
+    return result;
   }
 
-  void add_sectors_beyond(Source_ref source_ref)
+  // Rounding error of the height of a point over an edge, in units of rounding of the longest edge: one for the point, and one for
+  // each of the two terms of the height.
+  static constexpr double roundings_of_height = 3;
+
+  static Surface_point_ at_edge(const Surface_point_& p, const Face_frame<FT>& frame, int k)
   {
-    while (!m_sectors.empty())
-    {
-      const Sector sector = m_sectors.back();
-      m_sectors.pop_back();
-      add_sector_in_face(sector, source_ref, beyond_edges);
-    }
-  }
-
-  // True if rays from p that cross edge k between `right` and `left` must start beyond the edge, since Lower_envelope may not
-  // close the gaps that rounding of their directions leaves. `first` and `last`: the crossings of bounding rays, or null.
-  static bool loses_rays_beyond(const Face_frame<FT>& frame, int k, const Point& p, const Point* first, const Point* last,
-                                const Point& right, const Point& left)
-  {
-    if constexpr (!Number_policy<FT>::is_inexact) return false;
-    const FT r = distance_to_chord(frame, k, p, right, left), size = frame.longest_edge();
-    if (direction_uncertainty(size, r) > FT(least_angle_beyond_edges)) return true;
-    FT nearest = size;
-    for (const Point* const crossing : {first, last})
-      if (crossing != nullptr)
-        for (const int end : {k, (k + 1) % 3}) nearest = (std::min)(nearest, length(*crossing - frame.corner(end)));
-    return r * nearest < FT(grazing_beyond_edges) * size * size;
-  }
-
-  // 2^-16 radians. The lower envelope closes the gaps that smaller angles leave on the edges behind, unless rays graze them.
-  static constexpr double least_angle_beyond_edges = 1. / (1 << 16);
-
-  // 2^-44. The directions of bounding rays are off by 2 u L / r behind an edge at the distance r from the image. Such a ray may
-  // graze an edge at the end of the crossed one, from which it has the distance a at the beginning, at the angle a / L. The gap
-  // there is 2 u L^3 / (r a) wide: 2^-8 L, the widest that Lower_envelope closes, for r a = 2^-44 L^2.
-  static constexpr double grazing_beyond_edges = 1. / (1ull << 44);
-
-  // 2^-32 radians. Where a polyline bends by less, Lower_envelope closes the gap between its strips, and no rays start between
-  // them.
-  static constexpr double least_angle_of_sector = 1. / (1ull << 32);
-
-  static FT distance_to_chord(const Face_frame<FT>& frame, int k, const Point& p, const Point& right, const Point& left)
-  {
-    const FT along = frame.along(k, p), height = frame.height(k, p);
-    const FT beyond = (std::max)({FT(frame.along(k, right) - along), FT(along - frame.along(k, left)), FT(0)});
-    return square_root<FT>(height * height + beyond * beyond);
+    const FT t = frame.along(k, {p.x, p.y});
+    return Surface_point_::on_edge(3 * p.element + Index(k), (std::max)(FT(0), (std::min)(t, frame.edge_length(k))));
   }
 
   // Overload for the longest edge of the face.
@@ -458,20 +387,8 @@ private:
                                      Window<FT>::make_bits(false, no_index), STARTS_AT_CORNER, (unsigned char)(k), s}});
   }
 
-  // Clips the chord to the side of the line through p with direction u where cross(u, . - p) has the given sign. Returns false
-  // if nothing remains.
-  static bool clip(const Point& p, const Point& u, const FT& sign, Point& right, Point& left)
-  {
-    const FT r = sign * cross(u, right - p), l = sign * cross(u, left - p);
-    if (!CGAL::is_positive(r) && !CGAL::is_positive(l)) return false;
-    if (CGAL::is_negative(r)) right = right + (r / (r - l)) * (left - right);
-    if (CGAL::is_negative(l)) left = left + (l / (l - r)) * (right - left);
-    return true;
-  }
-
   const Unfolded_mesh<FT>& m_mesh;
   FT m_start_value = FT(0);
-  std::vector<Sector> m_sectors; // beyond edges, pending
 };
 
 } // namespace CGAL::Geodesic_offset::internal

@@ -16,7 +16,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <optional>
@@ -56,13 +55,11 @@ public:
     for (const auto& w : m_field.windows()) has_one_label = has_one_label && m_labels.of_window(w) == label;
     if (has_one_label) return false;
 
+    for (const auto& w : m_field.windows()) add(w);
+    meet_neighbours();
     for (const auto& w : m_field.windows())
-    {
-      add(w);
       if (w.origin == STARTS_AT_CORNER && w.sigma == m_results.distance[m_mesh.source(3 * face + Index(w.edge))])
-        add(whole_corner(w), true);
-    }
-    close_gaps();
+        add(whole_corner(w));
     NT magnitude = 0; // of the windows that may be nearest
     remove_farther(m_cell, m_all);
     remove_outside(m_cell, m_all, m_tolerances.joint);
@@ -209,20 +206,14 @@ private:
 
   static Point rounded(const Point_in_face<FT>& p) { return {number_cast<NT>(p.x), number_cast<NT>(p.y)}; }
 
-  void append(const Voronoi_window<NT>& w)
-  {
-    m_all.push_back(unsigned(m_windows.size()));
-    m_windows.push_back(w);
-  }
-
-  void add(const Face_window<FT>& w, bool is_upper_bound = false)
+  void add(const Face_window<FT>& w)
   {
     if (w.is_empty()) return;
     Voronoi_window<NT> v(w, m_labels.of_window(w));
-    v.is_upper_bound = is_upper_bound;
     v.rays.start_value = number_cast<NT>(m_results.start_values.of(w.source_ref)); // windows over edges come without
     if (!is_finite(v.bound[0].m) || !is_finite(v.bound[1].m)) return;
-    append(v);
+    m_all.push_back(unsigned(m_windows.size()));
+    m_windows.push_back(v);
   }
 
   // The function d(v) + |p - v| of a corner in the whole face. It is an upper bound everywhere, and tells the distance where
@@ -236,18 +227,17 @@ private:
     return w;
   }
 
-  // Closes the gaps between the cones of windows with a common bounding ray. A bounding ray without a neighbour may lie on an
-  // edge of the face, so the cone is extended there.
-  void close_gaps()
+  // For windows whose bounding rays start at one point: ends their cones at a common ray, if there is one, and sets how far beyond
+  // their rays the distances tie.
+  void meet_neighbours()
   {
-    typedef std::pair<NT, unsigned> Place;                                                   // x coordinate, window
-    std::vector<std::array<unsigned, 2>> neighbor(m_windows.size(), {no_window, no_window}); // on the left, on the right
-    std::vector<std::array<bool, 2>> meets_another(m_windows.size(), {false, false});        // where its bounding ray starts
-    std::vector<std::array<unsigned, 2>> meetings;                                           // of a right and a left ray
+    typedef std::pair<NT, unsigned> Place; // x coordinate, window
     std::vector<Place> left;
+    std::vector<std::array<unsigned, 2>> meetings;                                           // of a right and a left ray
+    std::vector<std::array<unsigned, 2>> neighbor(m_windows.size(), {no_window, no_window}); // on the left, on the right
     for (unsigned i = 0; i < m_windows.size(); ++i) left.emplace_back(m_windows[i].start_of_bound(0).x, i);
     std::sort(left.begin(), left.end());
-    for (unsigned i = 0; i < neighbor.size(); ++i)
+    for (unsigned i = 0; i < m_windows.size(); ++i)
     {
       const Point p = m_windows[i].start_of_bound(1);
       for (auto next = std::lower_bound(left.begin(), left.end(), Place(p.x - m_tolerances.joint, 0));
@@ -255,29 +245,18 @@ private:
       {
         const NT gap = length(m_windows[next->second].start_of_bound(0) - p);
         if (next->second == i || gap > m_tolerances.joint) continue;
-        meets_another[i][1] = meets_another[next->second][0] = true;
         meetings.push_back({i, next->second});
-        const bool meet = meet_at_common_ray(i, next->second) ||
-                          (gap <= m_tolerances.tie && m_windows[i].close_gap(m_windows[next->second], m_tolerances.tie));
-        if (!meet && !(gap <= m_tolerances.tie && add_fan(i, next->second))) continue;
-        const unsigned fan = unsigned(m_windows.size()) - 1; // between them
-        neighbor[i][1] = meet ? next->second : fan;
-        neighbor[next->second][0] = meet ? i : fan;
+        if (!meet_at_common_ray(i, next->second) &&
+            !(gap <= m_tolerances.tie && m_windows[i].continues_in(m_windows[next->second])))
+          continue;
+        neighbor[i][1] = next->second;
+        neighbor[next->second][0] = i;
       }
     }
-    for (std::size_t i = 0; i < neighbor.size(); ++i)
-      for (int k = 0; k < 2; ++k)
-      {
-        if (neighbor[i][std::size_t(k)] != no_window) continue;
-        m_windows[i].widen(k, m_tolerances.tie);
-        const Voronoi_window<NT>& w = m_windows[i];
-        if (meets_another[i][std::size_t(k)] || w.rays.origin >= STARTS_IN_FACE || is_corner(w.start_of_bound(k))) continue;
-        append(w.fan_beside(k, m_cell.outside(w.rays.origin).n, m_tolerances.loose_tie));
-      }
     for (const auto& [i, next] : meetings)
-    { // windows that do not continue each other
-      if (neighbor[i][1] == no_window) set_tied(i, 1, next);
-      if (neighbor[next][0] == no_window) set_tied(next, 0, i);
+    {
+      set_tied(i, 1, next);
+      set_tied(next, 0, i);
     }
     remove_rays(neighbor);
   }
@@ -289,17 +268,18 @@ private:
   }
 
   // Beside a common ray, windows of both sources may alternate. Removes those that are only this ray; their neighbours meet at it.
+  // Binding test: test_voronoi_diagram, lost strip, voxels.
   void remove_rays(const std::vector<std::array<unsigned, 2>>& neighbor)
   {
     const NT size = number_cast<NT>(m_field.size());
     const auto is_ray = [&](unsigned i) {
-      return i < neighbor.size() && neighbor[i][0] != no_window && neighbor[i][1] != no_window &&
+      return i != no_window && neighbor[i][0] != no_window && neighbor[i][1] != no_window &&
              this->m_windows[i].is_one_ray(size, this->m_tolerances.tie);
     };
     std::vector<unsigned> kept;
     std::copy_if(m_all.begin(), m_all.end(), std::back_inserter(kept), [&](unsigned i) { return !is_ray(i); });
     for (const unsigned i : kept)
-      for (int k = 0; k < 2 && i < neighbor.size(); ++k)
+      for (int k = 0; k < 2; ++k)
       {
         const unsigned first = neighbor[i][std::size_t(k)];
         unsigned next = first;
@@ -337,7 +317,6 @@ private:
     const NT radius = m_cell.radius();
     for (Voronoi_window<NT>& w : m_windows)
     {
-      if (w.is_upper_bound) continue;
       if (w.label == on_left.label && w.is_same_function(on_left, center, radius, tie) && may_end(w, 1))
         w.end_at(*ray, 1, along_chord(w));
       if (w.label == on_right.label && w.is_same_function(on_right, center, radius, tie) && may_end(w, 0))
@@ -359,18 +338,6 @@ private:
   {
     return std::any_of(m_cell.corner.begin(), m_cell.corner.end(),
                        [&](const Point& c) { return length(p - c) <= m_tolerances.joint; });
-  }
-
-  bool add_fan(unsigned i, unsigned next)
-  {
-    auto fan = m_windows[i].fan_between(m_windows[next], tie_of_rays(i, next));
-    if (!fan) return false;
-    const auto same = std::find_if(m_windows.begin(), m_windows.end(), [&](const Voronoi_window<NT>& w) {
-      return w.is_same_function(*fan, fan->image(), 0, m_tolerances.tie);
-    });
-    if (same != m_windows.end()) fan->label = same->label; // the point may be that of another source as well
-    append(*fan);
-    return true;
   }
 
   // Removes the windows that are nowhere nearest in a cell. Distances are 1-Lipschitz.

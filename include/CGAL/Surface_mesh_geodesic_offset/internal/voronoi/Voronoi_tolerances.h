@@ -32,8 +32,8 @@ struct Voronoi_tolerances
   // Cones and cells reach this far beyond their bounds, so that rounding leaves no gaps between neighbours: two ties.
   NT slack;
   NT usual_tie;
-  // Between a window and the ray at which it ends, and between two windows where the rays of a vertex between them are missing:
-  // eight ties, as both may come over many edges. Binding test: test_voronoi_diagram, vertex and edge, and rotor_small.
+  // Between a window and the ray at which it ends: eight ties, as both may come over many edges. Binding test:
+  // test_voronoi_diagram, vertex and edge, and rotor_small.
   NT tie_of_rays;
   // Intervals of an edge up to this length are nowhere certainly nearest to their source: 2^8 u, two slacks.
   NT shortest_interval;
@@ -98,13 +98,6 @@ struct Voronoi_tolerances
   {
   }
 
-  // Angle of the widest gap between neighbouring cones that is closed, besides what a tie at the image explains: 2^-24. A path
-  // along a ray that is off by this angle is too short by 2^-49 of its length. Ends of windows are rounded to 2 u of the edge
-  // (see least_clear_distance), so windows shorter than 2^-26 edges may leave such gaps.
-  static NT widest_gap() { return NT(4 * Number_policy<NT>::root_of_rounding()); }
-  // The largest angle by which a cone is widened, in radians: that of an image within a tie of the start of its ray, which has no
-  // direction. Binding test of these angles: test_voronoi_diagram, beside vertices.
-  static constexpr double widest_turn = 1;
   // Sine of the smallest angle of a chord to parallel rays at which it is extended to a common ray. Rounding moves the end of
   // the extended chord, and with it the start of the rays, by its error over this.
   static constexpr double least_slope = 1. / (1 << 10);
@@ -112,8 +105,11 @@ struct Voronoi_tolerances
   // through the point across the ray, at this distance from the point: the square of the result, over twice the distance, is
   // four ties.
   static NT tied_width(NT along_ray, NT tie) { return tie + square_root<NT>(8 * tie * along_ray); }
-  // Sine of the angle between two rays that are one where distances tie up to `width` from the ray at this distance from its start.
-  static NT tied_turn(NT along_ray, NT width) { return widest_gap() + (along_ray > width ? width / along_ray : NT(0)); }
+  // Sine of the angle between two rays that are one: 2^-24. A path along a ray that is off by this angle is too short by 2^-49 of
+  // its length.
+  static NT same_ray() { return NT(4 * Number_policy<NT>::root_of_rounding()); }
+  // The same where distances tie up to `width` from the ray at this distance from its start.
+  static NT tied_turn(NT along_ray, NT width) { return same_ray() + (along_ray > width ? width / along_ray : NT(0)); }
   // A cell with more windows than this is divided: all pairs of windows in a cell are examined.
   static constexpr unsigned most_windows = 12;
   // After this many divisions of a face per window of the face, the number of windows is no reason to divide a cell: many

@@ -17,7 +17,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
 #include <optional>
 #include <vector>
@@ -36,7 +35,6 @@ struct Voronoi_window
   std::array<Point, 2> end;     // of the chord on the left and the right: where the bounding rays start, unless at the image
   std::array<NT, 2> tied{0, 0}; // so far beyond these rays, the distances of the next window tie with these
   NT start;                     // least distance of the rays: at their chord, or at their image in the face
-  bool is_upper_bound = false;  // of the distances in the whole face, a loose tie larger; see Face_bisectors
 
   template <class FT>
   Voronoi_window(const Face_window<FT>& w, Index label_) : label(label_)
@@ -52,10 +50,11 @@ struct Voronoi_window
     rays.origin = w.origin;
     rays.edge = w.edge;
     rays.start_value = number_cast<NT>(w.start_value);
-    const Point l = rays.ray_direction(rays.left), r = rays.ray_direction(rays.right);
-    const Point nl = (1 / length(l)) * quarter_turn(l), nr = (-1 / length(r)) * quarter_turn(r);
-    bound[0] = {nl, dot(nl, rays.left)};
-    bound[1] = {nr, dot(nr, rays.right)};
+    rays.to = point(w.left_ray()); // before rounding, also of exact numbers
+    rays.from = point(w.right_ray());
+    const Point nl = (1 / length(rays.to)) * quarter_turn(rays.to), nr = (-1 / length(rays.from)) * quarter_turn(rays.from);
+    bound[0] = {nl, dot(nl, is_parallel() ? rays.left : image())};
+    bound[1] = {nr, dot(nr, is_parallel() ? rays.right : image())};
     start = starts_at_image() ? rays.sigma : is_strip() ? rays.start_value : least_at_chord();
     end = {rays.left, rays.right};
     number_of_bounds = is_parallel() ? 3 : 2;
@@ -105,19 +104,11 @@ struct Voronoi_window
   // Where the left (0) or the right (1) bounding ray starts in the face.
   Point start_of_bound(int k) const { return starts_at_image() ? image() : k == 0 ? rays.left : rays.right; }
 
-  // For a window whose right bounding ray starts where the left one of another window does: true if these are the same ray up to
-  // rounding. Then, if there is a gap between the cones, one of them is extended to the other. A gap between cones that do not meet
-  // otherwise, as behind a saddle vertex, remains. `tie`: bounds the rounding of points.
-  bool close_gap(Voronoi_window<NT>& next, NT tie)
+  // For a window whose right bounding ray starts where the left one of another window does: true if these are the same ray.
+  bool continues_in(const Voronoi_window<NT>& next) const
   {
-    const Point u = rays.ray_direction(rays.right), v = next.rays.ray_direction(next.rays.left);
-    const NT turn = cross(u, v) / (length(u) * length(v));
-    const NT rounding = rounding_of_bound(1, tie), rounding_of_next = next.rounding_of_bound(0, tie);
-    if (!(CGAL::abs(turn) <= Voronoi_tolerances<NT>::widest_gap() + rounding + rounding_of_next && dot(u, v) > 0)) return false;
-    if (turn >= 0) return true;
-    if (rounding < rounding_of_next) next.turn_bound(0, -1. * bound[1].n, start_of_bound(1), tie);
-    else turn_bound(1, -1. * next.bound[0].n, next.start_of_bound(0), tie);
-    return true;
+    const Point u = along_bound(1), v = next.along_bound(0);
+    return CGAL::abs(cross(u, v)) <= Voronoi_tolerances<NT>::same_ray() && dot(u, v) > 0;
   }
 
   // A ray on which the distances of two windows are equal: behind a point that is in line with the other one, `apart` from it.
@@ -212,42 +203,6 @@ struct Voronoi_window
     return length(bound[0].n + bound[1].n) * radius + CGAL::abs(bound[0].m + bound[1].m) <= tie;
   }
 
-  // For two windows that come over an edge and tie where their bounding rays start, as in close_gap(), with a gap between these:
-  // the rays from this point. Rounding may have lost those of a source so near to the edge, or has put windows there that tie
-  // in the wrong order.
-  std::optional<Voronoi_window<NT>> fan_between(const Voronoi_window<NT>& next, NT tie) const
-  {
-    if (starts_at_image() || next.starts_at_image() || is_strip() || next.is_strip()) return std::nullopt;
-    const Point p = rays.right, u = along_bound(1), v = next.along_bound(0);
-    if (!(cross(u, v) < 0 && dot(u, v) > 0)) return std::nullopt;
-    if (!(CGAL::abs(distance_at(p) - next.distance_at(p)) <= tie)) return std::nullopt; // a third window is nearer at p
-    Voronoi_window<NT> fan = fan_from(p, -1. * bound[1].n, -1. * next.bound[0].n);
-    fan.label = (std::min)(label, next.label);
-    return fan;
-  }
-
-  // The rays from the left (0) or right (1) end of the chord between the bounding ray there and the edge of the chord, whose
-  // normal out of the face is `outside`. A source within rounding of the edge has these rays, but no window that is long enough
-  // for them.
-  Voronoi_window<NT> fan_beside(int k, const Point& outside, NT tie) const
-  {
-    const Point n = -1. * bound[std::size_t(k)].n;
-    Voronoi_window<NT> fan = fan_from(start_of_bound(k), k == 0 ? outside : n, k == 0 ? n : outside);
-    fan.rays.sigma = fan.start = fan.rays.sigma + tie;
-    fan.is_upper_bound = true;
-    return fan;
-  }
-
-  // Extends the cone at its left (0) or right (1) bounding ray by the angle that rounding explains. With r the distance of the
-  // image from the start of the ray, a path through the extension is too short by less than r tie^2 / (2 r^2), or 2 r: less
-  // than two ties.
-  void widen(int k, NT tie)
-  {
-    const double angle = (std::min)(Voronoi_tolerances<NT>::widest_turn, CGAL::to_double(rounding_of_bound(k, tie)));
-    turn_bound(k, NT(std::cos(angle)) * bound[std::size_t(k)].n + NT(-std::sin(angle)) * along_bound(k), start_of_bound(k),
-               tie);
-  }
-
   // True if the distances are equal up to `tie` in the disk about `center`, were there no cones.
   bool is_same_function(const Voronoi_window<NT>& other, const Point& center, NT radius, NT tie) const
   {
@@ -291,52 +246,8 @@ private:
     return is_parallel() ? distance_at(p) - rays.start_value : length(p - image());
   }
 
-  // The rays from a point, between two half-planes with these normals.
-  Voronoi_window<NT> fan_from(const Point& p, const Point& left, const Point& right) const
-  {
-    Voronoi_window<NT> fan(*this);
-    fan.rays.bits = Window<NT>::make_bits(false, no_index);
-    fan.rays.origin = STARTS_IN_FACE;
-    fan.rays.x = p.x;
-    fan.rays.y = p.y;
-    fan.rays.left = fan.rays.right = p;
-    fan.end = {p, p};
-    fan.tied = {0, 0};
-    fan.rays.sigma = fan.start = distance_at(p);
-    fan.number_of_bounds = 2;
-    fan.bound[0] = {left, dot(left, p)};
-    fan.bound[1] = {right, dot(right, p)};
-    return fan;
-  }
-
   // Unit vector along the left (0) or right (1) bounding ray.
   Point along_bound(int k) const { return (k == 0 ? -1. : 1.) * quarter_turn(bound[std::size_t(k)].n); }
-
-  // Turns a bounding ray to the normal n, outwards, about the point where it starts. At most to the line of the chord, if the
-  // bound would cut more than a tie from the chord otherwise; and the cone at most to the half-plane of the other ray: it is an
-  // intersection of half-planes.
-  void turn_bound(int k, Point n, const Point& start_point, NT tie)
-  {
-    const bool is_wide = dot(along_bound(0), along_bound(1)) < 0;
-    if (is_wide && dot(n, along_bound(1 - k)) > 0)
-    {
-      bound[std::size_t(k)] = bound[std::size_t(1 - k)];
-      return;
-    }
-    const Point to_start = k == 0 ? rays.left - rays.right : rays.right - rays.left;
-    if (!starts_at_image() && dot(n, to_start) < -tie)
-    {
-      if (dot(bound[std::size_t(k)].n, to_start) <= 0) return;
-      n = ((k == 0 ? 1 : -1) / length(to_start)) * quarter_turn(to_start);
-    }
-    bound[std::size_t(k)] = {n, dot(n, start_point)};
-  }
-
-  // Angle by which rounding turns a bounding ray: the larger, the nearer the image is to the end of the chord.
-  NT rounding_of_bound(int k, NT tie) const
-  {
-    return is_parallel() ? 0 : tie / length((k == 0 ? rays.left : rays.right) - image());
-  }
 
   NT least_at_chord() const
   {

@@ -39,19 +39,22 @@ struct Face_window
   unsigned char edge;     // STARTS_IN_FACE: halfedge of the chord, 3 if the chord is the source;
                           // STARTS_AT_CORNER: the corner
   FT start_value = FT(0); // distance at the source, of windows of sources in the face
+  // Directions of the bounding rays through `right` and `left` from a point image; zero if they are those of the chord.
+  Point from{FT(0), FT(0)}, to{FT(0), FT(0)};
 
   bool is_parallel() const { return bits & 1u; }
   Index pseudo_source() const { return (bits >> 2) - 1; } // no_index if none
   Point image() const { return {x, y}; }
 
   // Direction of the ray through p, not normalized.
-  Point ray_direction(const Point& p) const
-  {
-    return with_rays([&](const auto& rays) { return rays.direction(p); });
-  }
+  Point ray_direction(const Point& p) const { return is_parallel() ? Point{-x, -y} : p - image(); }
 
-  // True for a cone without extent.
-  bool is_empty() const { return left.x == right.x && left.y == right.y; }
+  // Directions of the bounding rays.
+  Point left_ray() const { return has_direction(to) ? to : ray_direction(left); }
+  Point right_ray() const { return has_direction(from) ? from : ray_direction(right); }
+
+  // True for a cone without extent. The chord of an open cone may have none, next to the image.
+  bool is_empty() const { return left.x == right.x && left.y == right.y && !CGAL::is_positive(cross(right_ray(), left_ray())); }
 
   FT distance_at(const Point& p) const
   {
@@ -82,8 +85,8 @@ struct Face_window
   // Overload for points up to `allowance` outside the bounding rays.
   bool contains(const Point& p, const FT& allowance) const
   {
-    return left_side(p) <= allowance * length(ray_direction(left)) &&
-           right_side(p) >= -allowance * length(ray_direction(right)) && is_in_front(p, allowance);
+    return left_side(p) <= allowance * length(left_ray()) && right_side(p) >= -allowance * length(right_ray()) &&
+           is_in_front(p, allowance);
   }
 
   // Length of a path through the window to p: straight if p lies in the cone or the rays start at a point of the face,
@@ -114,6 +117,8 @@ struct Face_window
   }
 
 private:
+  static bool has_direction(const Point& u) { return !CGAL::is_zero(u.x) || !CGAL::is_zero(u.y); }
+
   bool starts_in_strip() const { return is_parallel() && origin == STARTS_IN_FACE; }
 
   // Rounding error of p and of the source, which may be longer and farther from the origin of the frame than p. A point on the
@@ -127,8 +132,8 @@ private:
   template <class Function>
   auto with_rays(const Function& f) const
   {
-    const Point p = image();
-    return f(Rays_through_chord<FT>{p, is_parallel(), sigma, left, right});
+    const Point p = image(), to_left = left_ray(), to_right = right_ray();
+    return f(Rays_through_chord<FT>{p, is_parallel(), sigma, left, right, to_left, to_right});
   }
 };
 

@@ -25,9 +25,9 @@ struct Has_pairs<Functor, std::void_t<typename Functor::Has_pairs>> : std::bool_
 {
 };
 
-// True if images are brought to another frame as pairs.
+// True if images are brought to another frame as pairs: then both ends of a window are unfolded at once.
 template <class Traits>
-struct Has_pair_frames
+struct Has_pair_children
 {
   typedef typename Traits::FT FT;
   typedef const Geodesic_number_pair<FT>& Pair;
@@ -40,24 +40,6 @@ struct Has_pair_frames
                 "Surface_mesh_geodesic_offset: Change_frame_2::Has_pairs is Tag_true, but an operator of "
                 "SurfaceMeshGeodesicOffsetTraitsWithPairs is missing");
 };
-
-// True if the exits of two rays are constructed as a pair.
-template <class Traits>
-struct Has_pair_exits
-{
-  typedef const Geodesic_number_pair<typename Traits::FT>& Pair;
-  typedef const typename Traits::Construct_exit_2& Exit;
-
-  static constexpr bool value = Has_pairs<typename Traits::Construct_exit_2>::value;
-
-  static_assert(!value || std::is_invocable<Exit, Pair, Pair, Pair, bool, Pair, Pair, Pair, Pair, Pair>::value,
-                "Surface_mesh_geodesic_offset: Construct_exit_2::Has_pairs is Tag_true, but the operator of "
-                "SurfaceMeshGeodesicOffsetTraitsWithPairs is missing");
-};
-
-// True if both ends of a window are unfolded at once.
-template <class Traits>
-using Has_pair_children = std::bool_constant<Has_pair_frames<Traits>::value && Has_pair_exits<Traits>::value>;
 
 // True if the distances of two windows are computed as a pair.
 template <class Traits>

@@ -25,17 +25,17 @@ struct Rays_through_chord
   const Point& image;
   bool is_parallel;
   const FT& sigma;
-  const Point &left, &right;
+  const Point &left, &right, &to_left, &to_right; // of the directions only those of point images count
 
   // Direction of the ray through p, not normalized.
   Point direction(const Point& p) const { return is_parallel ? Point{-image.x, -image.y} : p - image; }
 
   FT distance_at(const Point& p) const { return is_parallel ? FT(sigma - dot(image, p)) : FT(sigma + length(p - image)); }
 
-  // Cross product of the direction of a bounding ray with the vector from its end of the chord to p. A ray reaches p if the
-  // value is at most 0 for the left and at least 0 for the right bounding ray.
-  FT left_side(const Point& p) const { return cross(direction(left), p - left); }
-  FT right_side(const Point& p) const { return cross(direction(right), p - right); }
+  // Cross product of the direction of a bounding ray with the vector from a point of the ray to p. A ray reaches p if the value is
+  // at most 0 for the left and at least 0 for the right bounding ray.
+  FT left_side(const Point& p) const { return is_parallel ? cross(direction(left), p - left) : cross(to_left, p - image); }
+  FT right_side(const Point& p) const { return is_parallel ? cross(direction(right), p - right) : cross(to_right, p - image); }
 
   // Length of the path to p: straight if a ray reaches p, otherwise around the nearer end of the chord. The length is
   // continuous in p and an upper bound of the distance of p.

@@ -25,10 +25,9 @@ class Simd_edge_exit
 
 public:
   Simd_edge_exit(const Window_propagation<Traits>& face, const Traits& traits)
-    : m_change_frame(traits.change_frame_2_object()), m_exit(traits.construct_exit_2_object()),
-      m_c(is_left ? face.cl : face.cr), m_s(is_left ? face.sl : face.sr),
+    : m_change_frame(traits.change_frame_2_object()), m_c(is_left ? face.cl : face.cr), m_s(is_left ? face.sl : face.sr),
       m_turn(is_left ? Pair(face.sl, FT(-face.sl)) : Pair(FT(-face.sr), face.sr)),
-      m_length(is_left ? face.left_length : face.right_length), m_entry_length(face.length), m_apex(face.apex_x, face.apex_y)
+      m_length(is_left ? face.left_length : face.right_length), m_apex(face.apex_x, face.apex_y)
   {
   }
 
@@ -36,34 +35,39 @@ public:
   template <bool is_parallel>
   BOOST_FORCEINLINE bool child(Window_pairs<FT>& w) const
   {
-    const Pair x = w.image.both_first(), y = w.image.both_second(), sigma(w.sigma), b = w.b, d = w.d;
-    if constexpr (is_left)
-    {
-      const auto exits = m_exit(x, y, sigma, is_parallel, b, d, m_c, m_s, m_length);
-      if (BOOST_UNLIKELY(!exits)) return false;
-      w.image = m_change_frame(w.image, m_c, m_turn);
-      w.b = exits->t;
-      w.d = exits->distance;
-    }
+    Pair t = w.t;
+    if constexpr (is_left) w.image = m_change_frame(w.image, m_c, m_turn);
     else
-    { // mirrored
-      const auto exits = m_exit(is_parallel ? Pair(FT(0)) - x : m_entry_length - x, y, sigma, is_parallel, m_entry_length - b,
-                                d, m_c, m_s, m_length);
-      if (BOOST_UNLIKELY(!exits)) return false;
+    {
+      if constexpr (is_parallel) { t = t + Pair(w.image.first() * m_apex.second() - w.image.second() * m_apex.first()); }
       const auto changed = m_change_frame(w.image, w.sigma, is_parallel, m_apex, m_c, m_turn);
       w.image = changed.image;
       w.sigma = changed.sigma;
-      w.b = m_length - exits->t;
-      w.d = exits->distance;
     }
+    const Pair x = w.image.both_first(), y = w.image.both_second(), sigma(w.sigma), zero(FT(0)), one(FT(1));
+    if constexpr (is_parallel)
+    {
+      w.b = t / y;
+      w.d = sigma - x * w.b;
+    }
+    else
+    {
+      const Pair s = is_left ? m_s : zero - m_s, across = m_c - s * t, r = square_root(one + t * t);
+      if (BOOST_UNLIKELY((m_least * r < across).bits() != 3)) return false;
+      const Pair inverse = one / across;
+      t = (m_c * t + s) * inverse;
+      w.b = x - y * t;
+      w.d = sigma - y * (r * inverse);
+    }
+    w.t = t;
+    if (BOOST_UNLIKELY(((zero <= w.b) & (w.b <= m_length)).bits() != 3 || !(w.b.first() < w.b.second()))) return false;
     return w.image.second() < FT(0);
   }
 
 private:
   const typename Traits::Change_frame_2 m_change_frame;
-  const typename Traits::Construct_exit_2 m_exit;
   const Pair m_c, m_s, m_turn, m_length; // of the edge
-  const Pair m_entry_length, m_apex;
+  const Pair m_apex, m_least{Number_policy<FT>::rounding(0.1)};
 };
 
 template <class Traits, bool is_left>

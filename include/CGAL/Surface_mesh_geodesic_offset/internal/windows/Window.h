@@ -8,6 +8,7 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
+#include <CGAL/Surface_mesh_geodesic_offset/Geodesic_number_pair.h>
 #include <CGAL/Surface_mesh_geodesic_offset/Offset_side.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Number_policy.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Merge_error_code.h>
@@ -16,28 +17,11 @@
 
 #include <boost/config.hpp>
 
+#include <algorithm>
+#include <type_traits>
 #include <utility>
 
 namespace CGAL::Geodesic_offset::internal {
-
-// Least distance of an image from an edge, as a fraction of its length L, at which rounding keeps the directions behind the
-// image; 2^-30 in double. With u = Number_policy<FT>::rounding(1), ends of windows are rounded to 2 u L, and windows shorter
-// than 8 u L are dropped; from an image at distance r, that is an angle of up to 8 u L / r. At this r the angle is 2^7 sqrt(u),
-// 2e-6 in double, and a path that bends by it is too long by 2^13 u of its length.
-template <class FT>
-FT least_clear_distance()
-{
-  return FT(Number_policy<FT>::root_of_rounding() * 0x1p-4);
-}
-
-// Least distance of a vertex from its image, as a fraction of L, at which it does not hide the rays behind it; 2^-13 in double.
-// At a smaller distance r there is a gap of the angle 8 u L / r, and paths to points of other vertices in the gap go around its
-// ends. At this r the gap is 2^-10 sqrt(u) wide, 1e-11 in double. Binding test: test_field_regressions, tie with a near image.
-template <class FT>
-FT least_hiding_distance()
-{
-  return FT(Number_policy<FT>::root_of_rounding() * 0x1p13);
-}
 
 // End of a shortest path: a primitive of the source set, and its side.
 struct Source_ref
@@ -57,19 +41,22 @@ struct Source_ref
   friend bool operator==(Source_ref a, Source_ref b) { return a.value == b.value; }
 };
 
-// A window on a halfedge, in the frame of the halfedge. The face to enter is above the x axis; the source image (x : y : w) is
-// below it, or on it for a source on the edge.
+// The rays of a window on a halfedge, in the frame of the halfedge. The face to enter is above the x axis; the source image
+// (x : y : w) is below it, or on it for a source on the edge.
 //
 //   w = 1, interval window (also behind a pseudo-source):  D(p) = sigma + |p - (x, y)|
 //   w = 0, parallel-source window, (x, y) a unit vector:   D(p) = sigma - (x, y) . p
 //
-// All rays of a window are shortest among the paths with the same face sequence. [b0, b1] is the interval, and d0, d1 are the
-// distances at its ends. A window of doubles fills one aligned cache line.
+// All rays of a window are shortest among the paths with the same face sequence. The bounding rays are directions: a position on
+// an edge next to the image would determine its ray only up to the rounding of the edge over its distance from the image.
+//
+//   w = 1:  the slope dx / dy of the ray, which meets the halfedge at x - y t
+//   w = 0:  its signed distance from the origin, y b for the ray through (b, 0)
 template <class FT>
-struct alignas(sizeof(FT) == 8 ? 64 : alignof(FT)) Window
+struct Window_rays
 {
   FT x, y, sigma;
-  FT b0, b1, d0, d1;
+  FT t0, t1; // bounding rays, from left to right seen along them
   Source_ref source_ref;
   Index bits; // bit 0: parallel; bit 1: already propagated; above: 1 + pseudo-source vertex, 0 if none; see Merge_error_code
 
@@ -100,7 +87,168 @@ struct alignas(sizeof(FT) == 8 ? 64 : alignof(FT)) Window
     const FT u = px - x, v = py - y;
     return sigma + square_root<FT>(u * u + v * v);
   }
+
+  // True if the cone is wider than the rounding of its bounding rays, even if its interval is narrower than rounding.
+  bool is_open() const
+  {
+    if constexpr (!Number_policy<FT>::is_inexact) return false;
+    else if (is_parallel()) return t0 > t1;
+    // the sine of the angle, and its cosine for an angle of nearly a half turn
+    const FT width = t1 - t0;
+    return width > FT(0) &&
+           (width > Number_policy<FT>::rounding(2) * square_root<FT>((1 + t0 * t0) * (1 + t1 * t1)) || 1 + t0 * t1 < FT(0));
+  }
+
+  // The ray through (b, 0).
+  FT ray_at(const FT& b) const
+  {
+    if constexpr (!Number_policy<FT>::is_inexact) return FT(0);
+    else return is_parallel() ? FT(y * b) : FT((x - b) / (std::min)(y, FT(-1e-300)));
+  }
+
+  // The slopes dx / dy of the ray t, and of the ray through (b, 0).
+  FT slope(const FT& t) const { return is_parallel() ? FT(x / y) : t; }
+  FT slope_at(const FT& b) const
+  {
+    if constexpr (!Number_policy<FT>::is_inexact) return FT(0);
+    else return slope(ray_at(b));
+  }
+
+  FT begin_slope() const { return bounding_slope(t0); }
+  FT end_slope() const { return bounding_slope(t1); }
+  FT bounding_slope(const FT& t) const
+  {
+    if constexpr (!Number_policy<FT>::is_inexact) return FT(0);
+    else return slope(t);
+  }
+
+  // Where the ray t meets a halfedge of the given length, and the distance there.
+  void meet(const FT& t, const FT& length, FT& b, FT& d) const
+  {
+    if (is_parallel()) b = t / y;
+    else
+    {
+      b = x - y * t;
+      d = sigma - y * square_root<FT>(1 + t * t);
+      if (BOOST_LIKELY(b >= FT(0) && b <= length)) return;
+    }
+    b = b > FT(0) ? (b < length ? b : length) : FT(0);
+    d = distance_at(b);
+  }
 };
+
+// A window on a halfedge: rays, and the interval [b0, b1] in which they meet it, with the distances d0, d1 at its ends. Exact
+// numbers have no bounding rays, as their intervals have no error.
+template <class FT>
+struct Window : Window_rays<FT>
+{
+  typedef Window_rays<FT> Rays;
+
+  FT b0, b1, d0, d1;
+
+  Window() = default;
+  Window(const Rays& rays, const FT& begin, const FT& end) : Rays(rays)
+  {
+    set_begin(begin, this->distance_at(begin));
+    set_end(end, this->distance_at(end));
+  }
+  // The window of rays on a halfedge of the given length.
+  BOOST_FORCEINLINE Window(const Rays& rays, const FT& length) : Rays(rays)
+  {
+    typedef Geodesic_number_pair<FT> Pair;
+    if (BOOST_LIKELY(!rays.is_parallel()))
+    {
+      const Pair t(rays.t0, rays.t1), y(rays.y), b = Pair(rays.x) - y * t, zero(FT(0)), last(length);
+      if (BOOST_LIKELY(((zero <= b) & (b <= last)).bits() == 3 && b.first() <= b.second()))
+      {
+        const Pair d = Pair(rays.sigma) - y * square_root(Pair(FT(1)) + t * t);
+        b.put(b0, b1);
+        d.put(d0, d1);
+        return;
+      }
+    }
+    this->meet(this->t0, length, b0, d0);
+    this->meet(this->t1, length, b1, d1);
+    if (BOOST_UNLIKELY(b1 < b0))
+    { // by rounding
+      b1 = b0;
+      d1 = d0;
+    }
+  }
+
+  void set_begin(const FT& b, const FT& d)
+  {
+    b0 = b;
+    d0 = d;
+    this->t0 = this->ray_at(b);
+  }
+  void set_end(const FT& b, const FT& d)
+  {
+    b1 = b;
+    d1 = d;
+    this->t1 = this->ray_at(b);
+  }
+  // Cuts off the begin or the end. Within `rounding` of the former end, the bounding ray stays: from an image next to the halfedge, a
+  // position has less precision than the ray. `slope`: of the ray of a neighbour that is as near at b. If the two rays diverge,
+  // the bounding ray becomes that of the neighbour, so that no gap opens.
+  void cut_begin(const FT& b, const FT& d, const FT& rounding, const FT& slope)
+  {
+    if constexpr (Number_policy<FT>::is_inexact)
+      if (b - b0 > rounding)
+      {
+        if (const FT ray = this->ray_at(b); !open_gap(slope, this->slope(ray))) this->t0 = ray;
+        else if (!this->is_parallel()) this->t0 = (std::max)(this->t0, slope);
+      }
+    b0 = b;
+    d0 = d;
+  }
+  void cut_end(const FT& b, const FT& d, const FT& rounding, const FT& slope)
+  {
+    if constexpr (Number_policy<FT>::is_inexact)
+      if (b1 - b > rounding)
+      {
+        if (const FT ray = this->ray_at(b); !open_gap(this->slope(ray), slope)) this->t1 = ray;
+        else if (!this->is_parallel()) this->t1 = (std::min)(this->t1, slope);
+      }
+    b1 = b;
+    d1 = d;
+  }
+  // True if rays are missing between this window and the next one with the same image: the narrow sector behind a pseudo-source.
+  bool leaves_gap_before(const Window& w, const FT& length) const
+  {
+    if constexpr (!Number_policy<FT>::is_inexact) return false;
+    else return this->is_parallel() ? this->t1 - w.t0 > Number_policy<FT>::rounding(16) * length : open_gap(this->t1, w.t0);
+  }
+  void take_end(const Window& w)
+  {
+    b1 = w.b1;
+    d1 = w.d1;
+    this->t1 = w.t1;
+  }
+
+private:
+  // True if two rays from one point of the halfedge, with slopes from left to right, diverge by more than rounding.
+  static bool open_gap(const FT& left, const FT& right)
+  {
+    return right - left > Number_policy<FT>::rounding(16) * (1 + right * right) && right > left;
+  }
+};
+
+// A window as it is stored in lists: of 48 bytes with numbers of type double.
+template <class FT>
+using Stored_window = std::conditional_t<Number_policy<FT>::is_inexact, Window_rays<FT>, Window<FT>>;
+
+// The window that is stored for a halfedge of the given length.
+template <class FT>
+BOOST_FORCEINLINE Window<FT> restored(const Window_rays<FT>& rays, const FT& length)
+{
+  return Window<FT>(rays, length);
+}
+template <class FT>
+const Window<FT>& restored(const Window<FT>& w, const FT&)
+{
+  return w;
+}
 
 // Sets the image of a window to the result of SurfaceMeshGeodesicOffsetTraits::Change_frame_2.
 template <class FT, class Image>

@@ -31,6 +31,8 @@ public:
     : m_a(a), m_b(b), m_compare(traits.compare_distance_2_object()), m_distance(traits.compute_distance_2_object()),
       m_scale(CGAL::abs(a.d1) + CGAL::abs(b.d0)) // on a source, rounding may make distances negative
   {
+    // those of parallel rays are differences of numbers as large as the edge
+    if ((a.bits | b.bits) & 1u) m_scale += a.b1 + b.b1;
   }
 
   FT at(const Window& w, const FT& t) const { return m_distance(w.x, w.y, w.sigma, w.is_parallel(), t, FT(0)); }
@@ -201,7 +203,7 @@ private:
   const Window& m_b;
   const typename Traits::Compare_distance_2 m_compare;
   const typename Traits::Compute_distance_2 m_distance;
-  const FT m_scale;
+  FT m_scale;
 };
 
 // The points of equal distance of two windows a and b on the overlap [low, high] of their intervals, where b begins within a.
@@ -235,9 +237,9 @@ public:
       step(from, g_from, previous, c, a_c - b_c, m_tie.compare(a_c, b_c));
     }
     step(from, g_from, previous, m_high, m_a_high - m_b_high, m_tie.compare(m_a_high, m_b_high));
-    // Parallel rays tie with the rays from the end of their segment. If the latter replaced some of them, a gap would open
-    // behind the edge, since rays on the two sides of a bisector diverge.
-    if (m_first_sign == 0 && a.is_parallel() != b.is_parallel()) m_first_sign = a.is_parallel() ? -1 : 1;
+    // The window that contains the other one wins ties: the other one could not replace a part of it without opening a gap, since
+    // their rays diverge at one end of the part.
+    if (m_first_sign == 0 && a_ends_first) m_first_sign = a.b0 < b.b0 ? (a.is_parallel() || !b.is_parallel() ? -1 : 1) : 1;
   }
 
   const FT& low() const { return m_low; }

@@ -25,7 +25,7 @@
 namespace CGAL::Geodesic_offset::internal {
 
 // The first `processed` windows are propagated, and sorted and disjoint if envelopes are required; the others are pending.
-template <class FT, class Window_ = CGAL::Geodesic_offset::internal::Window<FT>>
+template <class FT, class Window_ = Stored_window<FT>>
 struct alignas(sizeof(FT) == 8 ? 64 : (std::max)(alignof(FT), alignof(std::size_t))) Window_list
 {
   typedef Window_ Window;
@@ -35,7 +35,6 @@ struct alignas(sizeof(FT) == 8 ? 64 : (std::max)(alignof(FT), alignof(std::size_
   Index size = 0;
   Index processed = 0;
   Index size_class = 0;
-  bool has_gap = false; // true if a gap is closed in the list's bucket
   std::size_t bucket = not_queued;
   FT split_distance = Number_policy<FT>::infinity(); // "one angle, one split": smallest distance of the
   FT split_entry = FT(0);                            // apex through this halfedge, and the entry of its ray
@@ -48,7 +47,7 @@ struct alignas(sizeof(FT) == 8 ? 64 : (std::max)(alignof(FT), alignof(std::size_
 
 // Each part of the front has its own lists, so several threads may work on different parts. Blocks come from arenas, one per
 // thread. `longest`: the length of lists that is always allowed, see reserve().
-template <class FT, class Window_ = CGAL::Geodesic_offset::internal::Window<FT>, std::size_t longest = std::size_t(1) << 12>
+template <class FT, class Window_ = Stored_window<FT>, std::size_t longest = std::size_t(1) << 12>
 class Window_lists
 {
 public:
@@ -92,8 +91,13 @@ public:
   }
 
   // Appends n windows to the list of a halfedge, before its pending block.
-  void append(Index h, List& list, const Window* first, std::size_t n) { append(h, list, first, n, m_arenas.front()); }
-  void append(Index h, List& list, const Window* first, std::size_t n, Arena& arena)
+  template <class Any>
+  void append(Index h, List& list, const Any* first, std::size_t n)
+  {
+    append(h, list, first, n, m_arenas.front());
+  }
+  template <class Any>
+  void append(Index h, List& list, const Any* first, std::size_t n, Arena& arena)
   {
     write(list, first, n, arena);
     count(h, std::ptrdiff_t(n));
@@ -223,7 +227,8 @@ private:
   }
 
   // Appends windows without counting.
-  void write(List& list, const Window* first, std::size_t n, Arena& arena) const
+  template <class Any>
+  void write(List& list, const Any* first, std::size_t n, Arena& arena) const
   {
     reserve(list, list.size + n, arena);
     CGAL_assertion(list.size + n <= Arena::capacity(list.size_class));

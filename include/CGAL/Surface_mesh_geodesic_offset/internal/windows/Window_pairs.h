@@ -19,7 +19,7 @@ struct Window_pairs
   typedef Geodesic_number_pair<FT> Pair;
 
   explicit Window_pairs(const Window<FT>& w)
-    : image(Pair::of(w.x, w.y)), b(Pair::of(w.b0, w.b1)), d(Pair::of(w.d0, w.d1)), sigma(w.sigma)
+    : image(Pair::of(w.x, w.y)), b(Pair::of(w.b0, w.b1)), d(Pair::of(w.d0, w.d1)), t(Pair::of(w.t0, w.t1)), sigma(w.sigma)
   {
   }
 
@@ -29,9 +29,10 @@ struct Window_pairs
     w.sigma = sigma;
     b.put(w.b0, w.b1);
     d.put(w.d0, w.d1);
+    t.put(w.t0, w.t1);
   }
 
-  Pair image, b, d;
+  Pair image, b, d, t;
   FT sigma;
 };
 

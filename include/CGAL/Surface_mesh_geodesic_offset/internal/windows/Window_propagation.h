@@ -12,11 +12,11 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Unfolded_mesh.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Interval_filter.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/window_allowance.h>
 
 #include <boost/config.hpp>
 
 #include <algorithm>
-#include <optional>
 
 namespace CGAL::Geodesic_offset::internal {
 
@@ -24,8 +24,7 @@ namespace CGAL::Geodesic_offset::internal {
 // faces beyond.
 //
 // A ray through (b, 0) has the direction (bW - X, -Y). (c, s) is the direction of the exit; for the right exit everything is
-// mirrored, with b counted from q. The ray meets the exit at distance  b (-Y) / D  from p, D = s (X - bW) - c Y, after the
-// fraction s b / D  of its length so far (of the unit for W = 0).
+// mirrored, with b counted from q. The ray meets the exit at distance  b (-Y) / D  from p, D = s (X - bW) - c Y.
 template <class Traits>
 class Window_propagation
 {
@@ -34,7 +33,7 @@ public:
   typedef CGAL::Geodesic_offset::internal::Window<FT> Window;
 
   Window_propagation(const Unfolded_mesh<FT>& mesh, Index h, const Traits& traits)
-    : m_traits(traits), m_change_frame(traits.change_frame_2_object()), m_exit(traits.construct_exit_2_object())
+    : m_traits(traits), m_change_frame(traits.change_frame_2_object())
   {
     const auto& e = mesh[h];
     length = e.length;
@@ -48,8 +47,8 @@ public:
     (Geodesic_number_pair<FT>::of(n.apex_x, n.apex_y) / Geodesic_number_pair<FT>(length)).put(cr, sr);
     if constexpr (Number_policy<FT>::is_inexact)
     {
-      m_reach = length + apex_y;
-      m_clear_margin = closeness() * (m_reach + CGAL::abs(apex_x));
+      m_beside = error_of_image(mesh.longest_edge());
+      m_reach = m_beside + closeness() * (length + apex_y + CGAL::abs(apex_x));
     }
   }
 
@@ -62,53 +61,52 @@ public:
     const FT slope = w.is_parallel() ? FT(-w.y) : FT(apex_y - w.y);
     const FT t = (w.x * apex_y - w.y * apex_x) / slope;
     if constexpr (Interval_filter<FT>::leaves_open) return t; // side tests are exact then
-    return t < w.b0 ? w.b0 : t > w.b1 ? w.b1 : t;
+    return t < FT(0) ? FT(0) : t > length ? length : t;
   }
 
-  // Side on which all rays of a window pass the apex: -1 left, 1 right, 0 if the window covers the apex. `is_clear` is false if
-  // that is not certain by much more than rounding.
+  // On which sides of the apex the rays of a window pass: all on the left if `left` is positive, all on the right if `right` is
+  // positive. Returns the rounding error of these numbers.
   template <bool is_parallel>
-  BOOST_FORCEINLINE int clear_side(const Window& w, bool& is_clear) const
+  BOOST_FORCEINLINE FT sides_of_apex(const Window& w, FT& left, FT& right) const
   {
-    const FT slope = is_parallel ? FT(-w.y) : FT(apex_y - w.y), r = w.x * apex_y - w.y * apex_x;
-    const FT margin = is_parallel ? m_clear_margin : FT(m_clear_margin * (w.d1 + m_reach));
-    const FT left = r - w.b1 * slope, right = w.b0 * slope - r;
-    is_clear = true;
-    if (left > margin) return -1;
-    if (right > margin) return 1;
-    is_clear = left < -margin && right < -margin;
-    return 0;
-  }
-
-  // True if the ray through (b, 0) passes the apex so closely that rounding may have moved it to the other side.
-  bool passes_apex_closely(const Window& w, const FT& b) const
-  {
-    const FT slope = w.is_parallel() ? FT(-w.y) : FT(apex_y - w.y), r0 = w.x * apex_y, r1 = w.y * apex_x;
-    return CGAL::abs(FT(b * slope - (r0 - r1))) <= closeness() * (length * slope + CGAL::abs(r0) + CGAL::abs(r1));
-  }
-
-  // True if a bounding ray of a window that covers the apex passes it by less than eight times the square root of 2^-46, the
-  // tie tolerance; a path of another image may then tie at the apex.
-  bool is_beside_end(const Window& w) const
-  {
-    if constexpr (!Number_policy<FT>::is_inexact) return false;
-    const FT slope = w.is_parallel() ? FT(-w.y) : FT(apex_y - w.y), r = w.x * apex_y - w.y * apex_x;
-    return (std::min)(FT(r - w.b0 * slope), FT(w.b1 * slope - r)) <= FT(1. / (1 << 20)) * length * slope;
+    if constexpr (is_parallel)
+    {
+      const FT offset = w.y * apex_x - w.x * apex_y;
+      left = w.t1 - offset;
+      right = offset - w.t0;
+      return m_reach;
+    }
+    const FT along = apex_x - w.x, height = apex_y - w.y;
+    left = along - w.t1 * height;
+    right = w.t0 * height - along;
+    return m_beside + closeness() * (height + 2 * CGAL::abs(along));
   }
 
   // Child on p -> r of the rays that enter from b0 to `end`; if to_apex, up to the apex, at distance apex_distance. Returns
   // false if nothing remains.
   template <bool is_parallel>
-  BOOST_FORCEINLINE bool left_child(const Window& w, const FT& end, const FT& d_end, bool to_apex, const FT& apex_distance,
-                                    Window& child) const
+  BOOST_FORCEINLINE bool left_child(const Window& w, const FT& end, bool to_apex, const FT& apex_distance, Window& child) const
   {
     take_origin(w, child);
     set_image(child, m_change_frame(w.x, w.y, w.sigma, is_parallel, FT(0), FT(0), cl, sl));
-    if (!CGAL::is_negative(child.y)) return false;
-    const auto first = m_exit(w.x, w.y, w.sigma, is_parallel, w.b0, w.d0, cl, sl, left_length);
-    if (!first) return false;
-    child.b0 = first->t;
-    child.d0 = distance_of(first->distance, child, child.b0);
+    if (!CGAL::is_negative(child.y) && !put_before_edge<is_parallel>(child)) return false;
+    if constexpr (Number_policy<FT>::is_inexact)
+    {
+      turn<is_parallel>(cl, sl, w.t0, left_length, child, child.t0, child.b0, child.d0);
+      turn<is_parallel>(cl, sl,
+                        to_apex       ? apex_ray<is_parallel>(w)
+                        : end == w.b1 ? w.t1
+                                      : w.ray_at(end),
+                        left_length, child, child.t1, child.b1, child.d1);
+      if (to_apex)
+      {
+        child.b1 = left_length;
+        child.d1 = apex_distance;
+      }
+      return has_rays(child);
+    }
+    if (!meets<is_parallel>(w.x, w.y, w.b0, cl, sl, child.b0)) return false;
+    child.d0 = distance_at(child, child.b0, FT(0));
     if (to_apex)
     {
       child.b1 = left_length;
@@ -116,27 +114,40 @@ public:
     }
     else
     {
-      const auto last = m_exit(w.x, w.y, w.sigma, is_parallel, end, d_end, cl, sl, left_length);
-      if (!last) return false;
-      child.b1 = last->t;
-      child.d1 = distance_of(last->distance, child, child.b1);
+      if (!meets<is_parallel>(w.x, w.y, end, cl, sl, child.b1)) return false;
+      child.d1 = distance_at(child, child.b1, FT(0));
     }
     return CGAL::possibly(estimate(child.b0) < estimate(child.b1));
   }
 
   // Child on r -> q of the rays that enter from `begin` to b1.
   template <bool is_parallel>
-  BOOST_FORCEINLINE bool right_child(const Window& w, const FT& begin, const FT& d_begin, bool from_apex,
-                                     const FT& apex_distance, Window& child) const
+  BOOST_FORCEINLINE bool right_child(const Window& w, const FT& begin, bool from_apex, const FT& apex_distance,
+                                     Window& child) const
   {
     take_origin(w, child);
     set_image(child, m_change_frame(w.x, w.y, w.sigma, is_parallel, apex_x, apex_y, cr, FT(-sr)));
-    if (!CGAL::is_negative(child.y)) return false;
+    if (!CGAL::is_negative(child.y) && !put_before_edge<is_parallel>(child)) return false;
+    if constexpr (Number_policy<FT>::is_inexact)
+    {
+      const FT shift = is_parallel ? FT(w.x * apex_y - w.y * apex_x) : FT(0), s = -sr;
+      turn<is_parallel>(cr, s, w.t1 + shift, right_length, child, child.t1, child.b1, child.d1);
+      if (from_apex)
+      {
+        turn<is_parallel>(cr, s, is_parallel ? FT(0) : apex_ray<is_parallel>(w), right_length, child, child.t0, child.b0,
+                          child.d0);
+        child.b0 = FT(0);
+        child.d0 = apex_distance;
+      }
+      else
+        turn<is_parallel>(cr, s, (begin == w.b0 ? w.t0 : w.ray_at(begin)) + shift, right_length, child, child.t0, child.b0,
+                          child.d0);
+      return has_rays(child);
+    }
     const FT mirrored = is_parallel ? FT(-w.x) : FT(length - w.x);
-    const auto last = m_exit(mirrored, w.y, w.sigma, is_parallel, FT(length - w.b1), w.d1, cr, sr, right_length);
-    if (!last) return false;
-    child.b1 = right_length - last->t;
-    child.d1 = distance_of(last->distance, child, child.b1);
+    if (!meets<is_parallel>(mirrored, w.y, FT(length - w.b1), cr, sr, child.b1)) return false;
+    child.b1 = right_length - child.b1;
+    child.d1 = distance_at(child, child.b1, FT(0));
     if (from_apex)
     {
       child.b0 = FT(0);
@@ -144,25 +155,82 @@ public:
     }
     else
     {
-      const auto first = m_exit(mirrored, w.y, w.sigma, is_parallel, FT(length - begin), d_begin, cr, sr, right_length);
-      if (!first) return false;
-      child.b0 = right_length - first->t;
-      child.d0 = distance_of(first->distance, child, child.b0);
+      if (!meets<is_parallel>(mirrored, w.y, FT(length - begin), cr, sr, child.b0)) return false;
+      child.b0 = right_length - child.b0;
+      child.d0 = distance_at(child, child.b0, FT(0));
     }
     return CGAL::possibly(estimate(child.b0) < estimate(child.b1));
   }
 
-  static FT closeness() { return Number_policy<FT>::rounding(1 << 16); }
+  // Rounding may move an image onto the line of an edge that its rays cross.
+  template <bool is_parallel>
+  bool put_before_edge(Window& w) const
+  {
+    if (is_parallel || !Number_policy<FT>::is_inexact) return false;
+    w.y = -Number_policy<FT>::rounding(1) * length;
+    return true;
+  }
+
+  // Rounding may reverse the ends of a narrow window on the edge, but not its rays.
+  static bool has_rays(Window& w)
+  {
+    if (w.b0 < w.b1) return true;
+    if (!(w.is_parallel() ? w.t0 > w.t1 : w.t1 > w.t0)) return false;
+    w.b1 = w.b0;
+    w.d1 = w.d0;
+    return true;
+  }
+
+  // The ray to the apex.
+  template <bool is_parallel>
+  FT apex_ray(const Window& w) const
+  {
+    return is_parallel ? FT(w.y * apex_x - w.x * apex_y) : FT((apex_x - w.x) / (apex_y - w.y));
+  }
+
+  // Turns the ray t into the frame with the x axis (c, s), in which the image is that of `child`.
+  template <bool is_parallel>
+  BOOST_FORCEINLINE static void turn(const FT& c, const FT& s, const FT& t, const FT& length, const Window& child, FT& turned,
+                                     FT& b, FT& d)
+  {
+    if constexpr (is_parallel)
+    {
+      turned = t;
+      b = t / child.y;
+      b = b > FT(0) ? (b < length ? b : length) : FT(0);
+      d = child.distance_at(b);
+    }
+    else
+    {
+      const FT x = c * t + s, r = square_root<FT>(1 + t * t);
+      FT y = c - s * t;
+      if (y < Number_policy<FT>::rounding(0.1) * r) y = FT(1e-40) * r;
+      const FT inverse = 1 / y;
+      turned = x * inverse;
+      b = child.x - child.y * turned;
+      d = child.sigma - child.y * (r * inverse);
+      if (!(b >= FT(0)))
+      {
+        b = FT(0);
+        d = child.distance_at(b);
+      }
+      else if (!(b <= length))
+      {
+        b = length;
+        d = child.distance_at(b);
+      }
+    }
+  }
+
+  // Two bounding rays differ from their common direction by some rounding errors per edge that they have crossed.
+  static FT closeness() { return Number_policy<FT>::rounding(1 << 10); }
 
   FT length, apex_x, apex_y, left_length, right_length;
   FT cl, sl; // direction of p -> r
   FT cr, sr; // direction of q -> r, mirrored
 
 private:
-  // Margin of clear_side(): `closeness` times a bound of the terms of a side test. With L = length and (a, b) the apex, they are
-  // at most L + |a| + b for parallel rays. A point image has |x| <= L + d1 and |y| <= d1, so they are at most
-  // L (b + |y|) + |x| b + |y| |a| <= (L + |a| + b) (d1 + L + b).
-  FT m_reach, m_clear_margin;
+  FT m_beside, m_reach; // error_of_image(), and with closeness() of the size of the face
 
   FT distance_at(const Window& w, const FT& px, const FT& py) const
   {
@@ -175,15 +243,19 @@ private:
     child.bits = w.bits;
   }
 
-  // The distance of an exit at (t, 0) in the frame of the child.
-  BOOST_FORCEINLINE FT distance_of(const std::optional<FT>& distance, const Window& child, const FT& t) const
+  // Whether, and at which distance t, the ray through (b, 0) meets the edge from the origin in the direction (c, s). Distances
+  // from the sources come from the image: one square root costs less than exact nested roots, which grow with each face.
+  template <bool is_parallel>
+  static bool meets(const FT& x, const FT& y, const FT& b, const FT& c, const FT& s, FT& t)
   {
-    return BOOST_LIKELY(bool(distance)) ? *distance : distance_at(child, t, FT(0));
+    const FT den = is_parallel ? FT(s * x - c * y) : FT(s * (x - b) - c * y);
+    if (!CGAL::is_positive(den)) return false;
+    t = -(b * y) / den;
+    return true;
   }
 
   const Traits& m_traits;
   const typename Traits::Change_frame_2 m_change_frame;
-  const typename Traits::Construct_exit_2 m_exit;
 };
 
 } // namespace CGAL::Geodesic_offset::internal

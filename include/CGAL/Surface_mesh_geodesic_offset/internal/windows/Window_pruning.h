@@ -18,15 +18,14 @@
 
 namespace CGAL::Geodesic_offset::internal {
 
-// Tolerance by which a path through a vertex must be shorter to remove rays. In needles all paths to a point tie up to
-// rounding, and a window lost there is not replaced, as the vertex may be no pseudo-source. `scale`: upper bound of the
-// compared distances and coordinates.
+// Tolerance by which a path through a vertex must be shorter to remove rays, so that no window goes by a vertex that only the rays
+// of this window reach. `scale`: upper bound of the compared distances and coordinates.
 template <class FT>
-inline auto pruning_allowance(const typename Interval_filter<FT>::Estimate& scale)
+inline auto pruning_allowance(const typename Interval_filter<FT>::Estimate& scale, const FT& longest_edge)
 {
   typedef typename Interval_filter<FT>::Estimate Estimate;
-  if constexpr (Number_policy<FT>::is_inexact) return Estimate(Number_policy<FT>::rounding(roundings_of_window) * scale);
-  else return Estimate(0);
+  if constexpr (!Number_policy<FT>::is_inexact) return Estimate(0);
+  else return Estimate(Number_policy<FT>::rounding(roundings_of_window) * scale + error_of_image(longest_edge));
 }
 
 // The point at distance t from an end of the halfedge, whose vertex has distance dv, where dv + t equals the window's distance;
@@ -70,7 +69,7 @@ public:
     const bool at_source = CGAL::certainly(by_source() + estimate(w.b0) < estimate(w.d0));
     const bool at_target = CGAL::certainly(by_target() + (m_length - estimate(w.b1)) < estimate(w.d1));
     if (Interval_filter<FT>::leaves_open || at_source || at_target) return cut(w, at_source, at_target);
-    return is_wide(w.b0, w.b1);
+    return is_wide(w.b0, w.b1) || w.is_open();
   }
 
   // True if neither vertex removes a part of a window with the ends b and the distances d there, for floating-point numbers.
@@ -79,7 +78,6 @@ public:
     return (m_by + (m_ends + b.with_second_negated()) < d).bits() == 0;
   }
 
-  // True if the interval is wider than rounding.
   BOOST_FORCEINLINE bool is_wide(const FT& b0, const FT& b1) const
   {
     return CGAL::possibly(estimate(b1) - estimate(b0) > m_min_width);
@@ -106,9 +104,12 @@ private:
       if (CGAL::certainly(t >= b1)) return false;
       if (CGAL::certainly(t > b0))
       {
-        w.b0 = Interval_filter<FT>::lower_cut(t);
-        w.d0 = w.distance_at(w.b0);
-        b0 = t;
+        const FT at = Interval_filter<FT>::lower_cut(t), d = w.distance_at(at);
+        if (is_cut(d, by_source() + estimate(at)))
+        {
+          w.set_begin(at, d);
+          b0 = t;
+        }
       }
     }
     if (at_target)
@@ -119,12 +120,23 @@ private:
       if (CGAL::certainly(t <= b0)) return false;
       if (CGAL::certainly(t < b1))
       {
-        w.b1 = Interval_filter<FT>::upper_cut(t);
-        w.d1 = w.distance_at(w.b1);
-        b1 = t;
+        const FT at = Interval_filter<FT>::upper_cut(t), d = w.distance_at(at);
+        if (is_cut(d, by_target() + (m_length - estimate(at))))
+        {
+          w.set_end(at, d);
+          b1 = t;
+        }
       }
     }
-    return CGAL::possibly(b1 - b0 > m_min_width);
+    return CGAL::possibly(b1 - b0 > m_min_width) || w.is_open();
+  }
+
+  // True if a vertex is as near as a window at a tie, which is ill-conditioned for rays that graze the halfedge. Otherwise the window
+  // stays whole.
+  static bool is_cut(const FT& distance, const Estimate& by_vertex)
+  {
+    if constexpr (!Number_policy<FT>::is_inexact) return true;
+    else return distance >= by_vertex - Number_policy<FT>::rounding(8) * by_vertex;
   }
 
   Estimate by_source() const { return m_by.first(); }

@@ -13,8 +13,7 @@
 namespace CGAL::Geodesic_offset::internal {
 
 // Units of rounding, of a distance and the edges beside it, within which paths are taken for equally long: windows are pruned
-// (pruning_allowance()) and gaps between them closed (Lower_envelope) only up to this difference, so distances by windows may
-// differ by as much.
+// (pruning_allowance()) only beyond this difference, so distances by windows may differ by as much.
 constexpr double roundings_of_window = 256;
 
 // `scale`: the distance, plus the edges if it may be short. Zero for exact numbers.
@@ -22,6 +21,23 @@ template <class FT>
 inline FT window_allowance(const FT& scale)
 {
   return Number_policy<FT>::rounding(roundings_of_window) * scale;
+}
+
+// Rounding error of an image that has crossed the longest edge of the mesh.
+template <class FT>
+inline FT error_of_image(const FT& longest_edge)
+{
+  if constexpr (!Number_policy<FT>::is_inexact) return FT(0);
+  else return Number_policy<FT>::rounding(16) * longest_edge;
+}
+
+// Largest distance between a point and a ray that may meet it, with rounding: bounding rays of neighbouring windows differ by some
+// rounding errors per edge that they have crossed. `size`: of the coordinates of the point and the image.
+template <class FT, class Mesh>
+inline FT error_of_rays(const Mesh& mesh, const FT& size)
+{
+  if constexpr (!Number_policy<FT>::is_inexact) return FT(0);
+  else return Number_policy<FT>::rounding(64) * size + error_of_image(mesh.longest_edge());
 }
 
 } // namespace CGAL::Geodesic_offset::internal

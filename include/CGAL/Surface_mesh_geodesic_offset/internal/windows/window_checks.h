@@ -14,16 +14,16 @@
 
 namespace CGAL::Geodesic_offset::internal {
 
-// True if a window has rays: its interval is not empty, and its distances are nonnegative up to the rounding of coordinates
-// near a source. For exact numbers, true unless estimates exclude it.
+// True if a window has an interval, and no distance at its ends is negative by more than rounding. Rays may be narrower than
+// rounding. `length`: of the halfedge.
 template <class FT>
-inline bool has_interval(const Window<FT>& w)
+inline bool has_interval(const Window<FT>& w, const FT& length)
 {
   FT least(0); // smallest distance
   if constexpr (Number_policy<FT>::is_inexact)
-    least = -Number_policy<FT>::rounding(64) * (w.b1 + CGAL::abs(w.x) + CGAL::abs(w.y) + CGAL::abs(w.sigma));
-  const bool is_open = Interval_filter<FT>::leaves_open ? CGAL::possibly(estimate(w.b0) <= estimate(w.b1)) : bool(w.b0 < w.b1);
-  return is_open && CGAL::possibly(estimate(w.d0) >= estimate(least)) && CGAL::possibly(estimate(w.d1) >= estimate(least));
+    least = -Number_policy<FT>::rounding(64) * (length + CGAL::abs(w.x) + CGAL::abs(w.y) + CGAL::abs(w.sigma));
+  return CGAL::possibly(estimate(w.b0) <= estimate(w.b1)) && CGAL::possibly(estimate(w.d0) >= estimate(least)) &&
+         CGAL::possibly(estimate(w.d1) >= estimate(least));
 }
 
 // True if windows are ordered by their intervals and disjoint, on a halfedge of the given length. Exact windows may overlap
@@ -33,7 +33,8 @@ inline bool are_in_order(const Window<FT>* first, const Window<FT>* last, const 
 {
   for (const Window<FT>* w = first; w != last; ++w)
   {
-    if (!has_interval(*w) || CGAL::certainly(estimate(w->b0) < 0) || CGAL::certainly(estimate(w->b1) > estimate(length)))
+    if (!has_interval(*w, length) || CGAL::certainly(estimate(w->b0) < 0) ||
+        CGAL::certainly(estimate(w->b1) > estimate(length)))
       return false;
     if (w == first) continue;
     if (Interval_filter<FT>::leaves_open ? CGAL::certainly(estimate(w->b0) < estimate(w[-1].b0))
