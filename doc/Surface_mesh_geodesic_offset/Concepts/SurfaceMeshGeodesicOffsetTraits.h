@@ -73,10 +73,6 @@ public:
   /// \f$X\f$, \f$Y\f$ and \f$\sigma\f$ above.
   typedef unspecified_type Image_2;
 
-  /// The exit of a ray from a face: a class with the public data members `t` of type `FT` and `distance` of type
-  /// `std::optional<FT>`.
-  typedef unspecified_type Exit_2;
-
   /*!
   Lays a face out in the plane, in the frames of its three halfedges. An object of this type must provide the operator
   `std::array<Apex_2, 3> operator()(Point_3 p, Point_3 q, Point_3 r) const`
@@ -117,25 +113,9 @@ public:
 
   \pre \f$a_y > 0\f$ and \f$Y \le 0\f$, with \f$Y < 0\f$ unless the source lies on the halfedge itself
 
-  With numbers that are not exact, the functor is called only where the magnitude of the value is at most \f$2^{-36}\f$ of the
-  products in it.
+  With numbers that are not exact, bounding rays have directions, and the functor is not called.
   */
   typedef unspecified_type Compare_entry_with_apex_2;
-
-  /*!
-  Computes an end of a child's interval. An object of this type must provide the operator
-  `std::optional<Exit_2> operator()(FT x, FT y, FT sigma, bool is_parallel, FT b, FT d, FT c, FT s, FT length) const`
-  for the ray through \f$(b, 0)\f$, where the distance is `d`, and the edge of the given length from the origin in the unit
-  direction \f$(c, s)\f$. The ray meets the line of the edge if \f$D = s (X - bW) - c Y > 0\f$; otherwise the operator returns
-  `std::nullopt`. The members of the result are:
-  - `t`, the smaller of the length and \f$-bY / D\f$: the distance of the exit from the origin. With exact numbers `t` need not
-    be limited to the length: the functor is called only for rays that meet the edge itself.
-  - `distance`, the distance of the window at the exit, \f$d + (d - \sigma) s b / D\f$ if \f$W = 1\f$ and \f$d + s b / D\f$
-    otherwise. If `distance` is `std::nullopt`, the algorithm computes the distance by `Compute_distance_2`, from the image. A
-    model leaves `distance` out where the distance from the image is more accurate, or, for exact numbers, is simpler. It may
-    always do so.
-  */
-  typedef unspecified_type Construct_exit_2;
 
   /*!
   Computes a distance. An object of this type must provide the operator
@@ -163,8 +143,6 @@ public:
   Change_frame_2 change_frame_2_object() const;
   /// returns a functor of type `Compare_entry_with_apex_2`.
   Compare_entry_with_apex_2 compare_entry_with_apex_2_object() const;
-  /// returns a functor of type `Construct_exit_2`.
-  Construct_exit_2 construct_exit_2_object() const;
   /// returns a functor of type `Compute_distance_2`.
   Compute_distance_2 compute_distance_2_object() const;
   /// returns a functor of type `Compare_distance_2`.

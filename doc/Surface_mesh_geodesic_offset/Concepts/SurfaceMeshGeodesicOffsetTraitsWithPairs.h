@@ -11,11 +11,10 @@ The two ends of a window's interval need the same operations, and so do the dist
 this concept, the algorithm computes them at once, as `CGAL::Geodesic_number_pair<FT>`, written `Pair` below. For `double`, a
 pair is one register of the processor.
 
-Each of the functors `Change_frame_2`, `Construct_exit_2` and `Compute_distance_2` states by a type `Has_pairs` whether it has the
-operators for pairs. If `Has_pairs` is `CGAL::Tag_true`, the operators must exist; otherwise the code does not compile. If it is
+Each of the functors `Change_frame_2` and `Compute_distance_2` states by a type `Has_pairs` whether it has the operators for
+pairs. If `Has_pairs` is `CGAL::Tag_true`, the operators must exist; otherwise the code does not compile. If it is
 `CGAL::Tag_false`, or if the functor has no type `Has_pairs`, the algorithm calls only the operators for single numbers. The
-functors are independent of each other, except that windows are unfolded with pairs only if both `Change_frame_2` and
-`Construct_exit_2` have the operators.
+functors are independent of each other.
 
 So traits that are derived from `CGAL::Surface_mesh_geodesic_offset_traits` and replace a functor need no operators for pairs.
 Only if the new functor is itself derived from the one of the base, it inherits the tag: then it must provide the operators, too, or
@@ -42,9 +41,6 @@ public:
   /// `sigma` of type `FT`.
   typedef unspecified_type Image_pair_2;
 
-  /// The exits of two rays of a window from a face: a class with the public data members `t` and `distance` of type `Pair`.
-  typedef unspecified_type Exit_pair_2;
-
   /*!
   Changes the frame of an image. The type `Change_frame_2::Has_pairs` is `CGAL::Tag_true`, and an object must also provide the
   operators
@@ -54,18 +50,6 @@ public:
     \f$\sigma\f$ does not change.
   */
   typedef unspecified_type Change_frame_2;
-
-  /*!
-  Computes both ends of a child's interval. The type `Construct_exit_2::Has_pairs` is `CGAL::Tag_true`, and an object must also
-  provide the operator
-  `std::optional<Exit_pair_2> operator()(Pair x, Pair y, Pair sigma, bool is_parallel, Pair b, Pair d, Pair c, Pair s, Pair length) const`
-  for two rays of the same window: only the numbers of `b` and of `d` differ. Both exits must have a distance: the operator returns `std::nullopt` if one of the rays does
-  not meet the edge, or if the operator for single numbers would return an exit without `distance`. It may return `std::nullopt` in
-  other cases, too: then the operator for single numbers is called.
-
-  \pre \f$b \ge 0\f$
-  */
-  typedef unspecified_type Construct_exit_2;
 
   /*!
   Computes the distances of two interval windows. The type `Compute_distance_2::Has_pairs` is `CGAL::Tag_true`, and an object
