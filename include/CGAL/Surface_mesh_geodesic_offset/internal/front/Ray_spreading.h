@@ -217,16 +217,10 @@ private:
       const Index g = m_mesh.twin(e);
       if (g == no_index) return;
       const FT length = m_mesh[e].length;
-      Window w;
-      static_cast<typename Window::Rays&>(w) = {
-        length - m_mesh[e].apex_x, -m_mesh[e].apex_y, sigma, FT(0), FT(0), source_ref, Window::make_bits(false, pseudo_source)};
-      w.b0 = FT(0);
-      w.b1 = length;
       // the frame of the twin runs backwards: the lower ray ends the interval
-      if (lower) w.b1 = m_sector.exit_of_ray(h, *lower);
-      if (upper) w.b0 = m_sector.exit_of_ray(h, *upper);
-      w.set_begin(w.b0, w.distance_at(w.b0));
-      w.set_end(w.b1, w.distance_at(w.b1));
+      Window w({length - m_mesh[e].apex_x, -m_mesh[e].apex_y, sigma, FT(0), FT(0), source_ref,
+                Window::make_bits(false, pseudo_source)},
+               upper ? m_sector.exit_of_ray(h, *upper) : FT(0), lower ? m_sector.exit_of_ray(h, *lower) : length);
       if constexpr (Number_policy<FT>::is_inexact)
       {
         const FT ux = m_mesh[e].apex_x / m_mesh[h].length, uy = m_mesh[e].apex_y / m_mesh[h].length; // backwards: x of h

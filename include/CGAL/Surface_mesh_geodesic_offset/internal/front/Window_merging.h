@@ -13,6 +13,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Interval_filter.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Merge_error_code.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Merging_tolerance.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/window_allowance.h>
 
 #include <boost/config.hpp>
 
@@ -125,9 +126,6 @@ private:
   static constexpr std::size_t short_list = 4, long_list = 16;
   static constexpr Index stride = 2, long_list_stride = 8;
 
-  // Units of rounding of the distances by an image that has crossed a strip of many faces, see Lower_envelope.
-  static constexpr double roundings_of_image = 64;
-
   // Part of what a relative tolerance leaves that one merge may use, so that later merges have the rest.
   static constexpr double share_of_relative_tolerance = 0.5;
 
@@ -212,7 +210,7 @@ private:
     const bool is_like_b = a.b1 - a.b0 < b.b1 - b.b0; // the wider one has the more precise image
     m = is_like_b ? b : a;
     take_ends(a, b, m);
-    if (const FT u = FT(roundings_of_image) * rounding;
+    if (const FT u = FT(roundings_of_ray) * rounding;
         passes(m, !is_like_b, u) && passes(m, is_like_b, u) && accept(a, b, u, false, m))
       return true;
     const FT l = m.b1 - m.b0, rise = m.d1 - m.d0, n = (l - rise) * (l + rise), c = rise / l;

@@ -393,7 +393,7 @@ private:
     const Window a = last;
     if (same_distances(a, w))
     {
-      keep_rest(w, a.b1, w.distance_at(a.b1), infinite_slope());
+      keep_rest(w, a.b1, w.distance_at(a.b1), a.end_slope());
       return;
     }
     const Certain_overlap_split<FT> split(a, w, m_length);
@@ -445,18 +445,18 @@ private:
   // Rounding error of a position where windows touch: images have the rounding of their distance and of the edges that they crossed.
   FT error_of_positions(const FT& distance) const
   {
-    return Number_policy<FT>::is_inexact ? FT(Number_policy<FT>::rounding(64) * (m_length + distance) + m_error_of_image)
-                                         : FT(0);
+    return Number_policy<FT>::is_inexact
+           ? FT(Number_policy<FT>::rounding(roundings_of_ray) * (m_length + distance) + m_error_of_image)
+           : FT(0);
   }
-
-  static FT infinite_slope() { return Number_policy<FT>::infinity(); }
 
   const std::vector<Index>* m_source_of;
   const Traits& m_traits;
   Inline_sequence<Window> m_envelope;
   Window_order<FT, Window> m_order;
   FT m_error_of_image;
-  FT m_length, m_narrow, m_touching, m_max_gap, m_rounding;
+  FT m_length, m_touching, m_max_gap, m_rounding;
+  FT m_narrow; // width of windows that may be narrower than rounding across their rays
 };
 
 } // namespace CGAL::Geodesic_offset::internal

@@ -106,33 +106,29 @@ struct Window_rays
     else return is_parallel() ? FT(y * b) : FT((x - b) / (std::min)(y, FT(-1e-300)));
   }
 
-  // The slopes dx / dy of the ray t, and of the ray through (b, 0).
-  FT slope(const FT& t) const { return is_parallel() ? FT(x / y) : t; }
-  FT slope_at(const FT& b) const
+  // The slopes dx / dy of the ray t, of the ray through (b, 0), and of the bounding rays; zero for exact numbers.
+  FT slope(const FT& t) const
   {
     if constexpr (!Number_policy<FT>::is_inexact) return FT(0);
-    else return slope(ray_at(b));
+    else return is_parallel() ? FT(x / y) : t;
   }
-
-  FT begin_slope() const { return bounding_slope(t0); }
-  FT end_slope() const { return bounding_slope(t1); }
-  FT bounding_slope(const FT& t) const
-  {
-    if constexpr (!Number_policy<FT>::is_inexact) return FT(0);
-    else return slope(t);
-  }
+  FT slope_at(const FT& b) const { return slope(ray_at(b)); }
+  FT begin_slope() const { return slope(t0); }
+  FT end_slope() const { return slope(t1); }
 
   // Where the ray t meets a halfedge of the given length, and the distance there.
   void meet(const FT& t, const FT& length, FT& b, FT& d) const
   {
-    if (is_parallel()) b = t / y;
-    else
-    {
-      b = x - y * t;
-      d = sigma - y * square_root<FT>(1 + t * t);
-      if (BOOST_LIKELY(b >= FT(0) && b <= length)) return;
-    }
-    b = b > FT(0) ? (b < length ? b : length) : FT(0);
+    b = is_parallel() ? FT(t / y) : FT(x - y * t);
+    d = is_parallel() ? FT(sigma - x * b) : FT(sigma - y * square_root<FT>(1 + t * t));
+    put_on_edge(length, b, d);
+  }
+
+  // Puts a position b at distance d that is beyond an end of the halfedge, by rounding, on this end.
+  void put_on_edge(const FT& length, FT& b, FT& d) const
+  {
+    if (BOOST_LIKELY(b >= FT(0) && b <= length)) return;
+    b = b > FT(0) ? length : FT(0);
     d = distance_at(b);
   }
 };
@@ -217,7 +213,9 @@ struct Window : Window_rays<FT>
   bool leaves_gap_before(const Window& w, const FT& length) const
   {
     if constexpr (!Number_policy<FT>::is_inexact) return false;
-    else return this->is_parallel() ? this->t1 - w.t0 > Number_policy<FT>::rounding(16) * length : open_gap(this->t1, w.t0);
+    else
+      return this->is_parallel() ? this->t1 - w.t0 > Number_policy<FT>::rounding(roundings_of_turn) * length
+                                 : open_gap(this->t1, w.t0);
   }
   void take_end(const Window& w)
   {
@@ -230,8 +228,11 @@ private:
   // True if two rays from one point of the halfedge, with slopes from left to right, diverge by more than rounding.
   static bool open_gap(const FT& left, const FT& right)
   {
-    return right - left > Number_policy<FT>::rounding(16) * (1 + right * right) && right > left;
+    return right - left > Number_policy<FT>::rounding(roundings_of_turn) * (1 + right * right) && right > left;
   }
+
+  // Units of rounding by which two rays differ that are one: each has been turned into the frame by some four operations.
+  static constexpr double roundings_of_turn = 16;
 };
 
 // A window as it is stored in lists: of 48 bytes with numbers of type double.

@@ -196,9 +196,7 @@ public:
     if constexpr (is_parallel)
     {
       turned = t;
-      b = t / child.y;
-      b = b > FT(0) ? (b < length ? b : length) : FT(0);
-      d = child.distance_at(b);
+      child.meet(t, length, b, d);
     }
     else
     {
@@ -209,16 +207,7 @@ public:
       turned = x * inverse;
       b = child.x - child.y * turned;
       d = child.sigma - child.y * (r * inverse);
-      if (!(b >= FT(0)))
-      {
-        b = FT(0);
-        d = child.distance_at(b);
-      }
-      else if (!(b <= length))
-      {
-        b = length;
-        d = child.distance_at(b);
-      }
+      child.put_on_edge(length, b, d);
     }
   }
 

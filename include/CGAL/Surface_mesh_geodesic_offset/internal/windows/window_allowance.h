@@ -23,6 +23,10 @@ inline FT window_allowance(const FT& scale)
   return Number_policy<FT>::rounding(roundings_of_window) * scale;
 }
 
+// Units of rounding, of the distance and the edges beside it, by which a ray that has crossed many faces is off, and the distance
+// along it.
+constexpr double roundings_of_ray = 64;
+
 // Rounding error of an image that has crossed the longest edge of the mesh.
 template <class FT>
 inline FT error_of_image(const FT& longest_edge)
@@ -37,7 +41,7 @@ template <class FT, class Mesh>
 inline FT error_of_rays(const Mesh& mesh, const FT& size)
 {
   if constexpr (!Number_policy<FT>::is_inexact) return FT(0);
-  else return Number_policy<FT>::rounding(64) * size + error_of_image(mesh.longest_edge());
+  else return Number_policy<FT>::rounding(roundings_of_ray) * size + error_of_image(mesh.longest_edge());
 }
 
 } // namespace CGAL::Geodesic_offset::internal
