@@ -22,6 +22,8 @@
 
 #include <CGAL/assertions.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <type_traits>
 #include <vector>
 
@@ -43,39 +45,52 @@ public:
   {
   }
 
-  // Propagates the new windows of a halfedge. Of the list, only flags and the split change. Returns the lower envelope that
-  // replaces the windows, valid until the next call; null if the windows stay.
-  const Inline_sequence<Window>* operator()(Index h, Window_list<FT>& list)
+  // Windows that replace the processed windows [first, last) of a list and all pending ones; null if the list stays.
+  struct Replacement
   {
+    const Inline_sequence<Window>* windows = nullptr;
+    std::size_t first = 0, last = 0;
+  };
+
+  // Propagates the new windows of a halfedge. Of the list, only flags and the split change. The result is valid until the next
+  // call. A batch costs the new windows and the processed ones that they meet.
+  Replacement operator()(Index h, Window_list<FT>& list)
+  {
+    CGAL_precondition(list.processed <= list.size);
     const bool may_stay = !m_needs_envelopes && list.processed == 0 && !list.waiting.data;
     const FT& length = m_mesh[h].length;
     const std::size_t n = list.size + list.waiting.size;
     if (m_windows.size() < n) m_windows.resize(n);
-    Window* last = m_windows.data();
-    for (const auto* w = list.begin(); w != list.end(); ++w) ::new (static_cast<void*>(last++)) Window(restored(*w, length));
-    for (const auto* w = list.waiting.begin(); w != list.waiting.end(); ++w)
-      ::new (static_cast<void*>(last++)) Window(restored(*w, length));
-    Window *const first = m_windows.data(), *const middle = first + list.size;
+    Window *const first = m_windows.data(), *const fresh = first + list.processed;
+    Window* const middle = restore(list.data + list.processed, list.end(), length, fresh);
     if constexpr (is_inexact)
     {
-      if (may_stay && Lower_envelope<Traits>::is_monotone_list(first, middle))
+      if (may_stay && Lower_envelope<Traits>::is_monotone_list(fresh, middle))
       {
         if constexpr (Traits::may_merge)
-          if (m_merging.pays_for(h, list.size)) return &propagate_merged(h, list, first, middle);
+          if (m_merging.pays_for(h, list.size)) return {&propagate_merged(h, list, first, middle)};
         m_propagate(h, first, list.size, list.split_distance, list.split_entry);
-        return nullptr;
+        return {};
       }
     }
-    CGAL_precondition(list.processed <= list.size);
-    // The first windows of the list are the processed ones; a flag marks them for the envelope, which has another order.
-    for (Window* w = first; w != first + list.processed; ++w) w->set_propagated();
-    const Inline_sequence<Window>& envelope = m_envelope(first, middle, length, middle, last);
+    Window* const last = restore(list.waiting.begin(), list.waiting.end(), length, middle);
+    Replacement result{nullptr, 0, list.processed};
+    if constexpr (is_inexact)
+      if (list.is_reduced) narrow(list, fresh, last, length, result);
+    Window *const old = first + result.first, *const old_end = first + result.last;
+    restore(list.data + result.first, list.data + result.last, length, old);
+    // A flag marks the processed windows for the envelope, which has another order.
+    for (Window* w = old; w != old_end; ++w) w->set_propagated();
+    const Inline_sequence<Window>& envelope = m_envelope(old, old_end, length, fresh, last);
     // Propagated windows cannot be merged, and they are most of the lists of second batches.
     if constexpr (Traits::may_merge)
       if (list.processed == 0 && m_merging.pays_for(h, envelope.size()))
-        return &propagate_merged(h, list, envelope.begin(), envelope.end());
+        return {&propagate_merged(h, list, envelope.begin(), envelope.end())};
     m_propagate(h, envelope.data(), envelope.size(), list.split_distance, list.split_entry);
-    return may_stay ? nullptr : &envelope;
+    if (may_stay) return {};
+    list.is_reduced = true;
+    result.windows = &envelope;
+    return result;
   }
 
   // Result of the propagation.
@@ -90,6 +105,33 @@ private:
     const Inline_sequence<Window>& merged = m_merging(first, last);
     m_propagate(h, merged.data(), merged.size(), list.split_distance, list.split_entry);
     return merged;
+  }
+
+  // Restores the windows [first, last) on a halfedge of the given length to `out`. Returns the end.
+  static Window* restore(const Stored_window<FT>* first, const Stored_window<FT>* last, const FT& length, Window* out)
+  {
+    for (; first != last; ++first) ::new (static_cast<void*>(out++)) Window(restored(*first, length));
+    return out;
+  }
+
+  // Finds the processed windows of a reduced list that may meet the new windows [fresh, last).
+  void narrow(const Window_list<FT>& list, const Window* fresh, const Window* last, const FT& length, Replacement& range) const
+  {
+    CGAL_precondition(fresh != last);
+    FT low = fresh->b0, high = fresh->b1, farthest(0);
+    for (const Window* w = fresh; w != last; ++w)
+    {
+      low = (std::min)(low, w->b0);
+      high = (std::max)(high, w->b1);
+      farthest = (std::max)(farthest, w->d1);
+    }
+    const FT gap = m_envelope.reach(length, farthest);
+    const auto *const begin = list.data, *const end = begin + list.processed;
+    const auto* const old =
+      std::partition_point(begin, end, [&](const Stored_window<FT>& w) { return w.position(w.t1) < low - gap; });
+    range.first = std::size_t(old - begin);
+    range.last = std::size_t(
+      std::partition_point(old, end, [&](const Stored_window<FT>& w) { return w.position(w.t0) <= high + gap; }) - begin);
   }
 
   const Unfolded_mesh<FT>& m_mesh;

@@ -36,7 +36,7 @@ BOOST_FORCEINLINE void process_halfedge(Index h, Wavefront_state<typename Traits
   List& list = *known;
   if (list.bucket != state.current() || !list.has_new()) return;
   list.bucket = List::not_queued;
-  if (const auto* const envelope = batch(h, list)) lists.assign(h, list, *envelope, arena);
+  if (const auto a = batch(h, list); a.windows) lists.replace(h, list, a.first, a.last, *a.windows, arena);
   list.processed = list.size;
   CGAL_assertion(!list.has_new());
   const auto& propagated = batch.propagated();

@@ -94,6 +94,12 @@ public:
     return true;
   }
 
+  // Windows farther apart than this, at a distance of at most d, do not change one another.
+  FT reach(const FT& length, const FT& d) const
+  {
+    return max_gap(length) + 2 * FT(Number_policy<FT>::rounding(roundings_of_ray) * (length + d) + m_error_of_image);
+  }
+
 private:
   // True if a reduction may merge the consecutive windows a and b. The arguments are variables of is_monotone_list().
   BOOST_NOINLINE static bool may_merge(const Window& a, const Window& b, const FT& rounding, const FT& allowance)

@@ -116,10 +116,13 @@ struct Window_rays
   FT begin_slope() const { return slope(t0); }
   FT end_slope() const { return slope(t1); }
 
+  // Where the ray t meets the line of the halfedge.
+  FT position(const FT& t) const { return is_parallel() ? FT(t / y) : FT(x - y * t); }
+
   // Where the ray t meets a halfedge of the given length, and the distance there.
   void meet(const FT& t, const FT& length, FT& b, FT& d) const
   {
-    b = is_parallel() ? FT(t / y) : FT(x - y * t);
+    b = position(t);
     d = is_parallel() ? FT(sigma - x * b) : FT(sigma - y * square_root<FT>(1 + t * t));
     put_on_edge(length, b, d);
   }

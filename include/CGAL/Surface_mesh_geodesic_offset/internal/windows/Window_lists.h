@@ -35,6 +35,7 @@ struct alignas(sizeof(FT) == 8 ? 64 : (std::max)(alignof(FT), alignof(std::size_
   Index size = 0;
   Index processed = 0;
   Index size_class = 0;
+  bool is_reduced = false; // the processed windows are a lower envelope
   std::size_t bucket = not_queued;
   FT split_distance = Number_policy<FT>::infinity(); // "one angle, one split": smallest distance of the
   FT split_entry = FT(0);                            // apex through this halfedge, and the entry of its ray
@@ -124,16 +125,24 @@ public:
   template <class Windows>
   void assign(Index h, List& list, const Windows& windows)
   {
-    assign(h, list, windows, m_arenas.front());
+    replace(h, list, 0, list.processed, windows, m_arenas.front());
   }
+
+  // Replaces the processed windows [first, last) and all pending ones of the list of a halfedge.
   template <class Windows>
-  void assign(Index h, List& list, const Windows& windows, Arena& arena)
+  void replace(Index h, List& list, std::size_t first, std::size_t last, const Windows& windows, Arena& arena)
   {
-    count(h, std::ptrdiff_t(windows.size()) - std::ptrdiff_t(list.size + list.waiting.size));
-    list.size = 0;
+    CGAL_precondition(first <= last && last <= list.processed && list.processed <= list.size);
+    const std::size_t end = first + windows.size(), size = end + (list.processed - last);
+    count(h, std::ptrdiff_t(size) - std::ptrdiff_t(list.size + list.waiting.size));
     drop_waiting(list, arena);
-    write(list, windows.data(), windows.size(), arena);
-    CGAL_postcondition(list.size == windows.size() && !list.waiting.data);
+    list.size = list.processed;
+    reserve(list, size, arena);
+    Window *const behind = list.data + last, *const behind_end = list.data + list.size;
+    if (end > last) std::move_backward(behind, behind_end, list.data + size);
+    else if (end < last) std::move(behind, behind_end, list.data + end);
+    std::copy(windows.data(), windows.data() + windows.size(), list.data + first);
+    list.size = Index(size);
   }
 
   // Releases the lists of all halfedges of faces. They are no longer in the cache, so they are prefetched together.
