@@ -130,8 +130,9 @@ private:
     const auto* const old =
       std::partition_point(begin, end, [&](const Stored_window<FT>& w) { return w.position(w.t1) < low - gap; });
     range.first = std::size_t(old - begin);
-    range.last = std::size_t(
-      std::partition_point(old, end, [&](const Stored_window<FT>& w) { return w.position(w.t0) <= high + gap; }) - begin);
+    range.last =
+      std::size_t(std::partition_point(old, end, [&](const Stored_window<FT>& w) { return w.position(w.t0) <= high + gap; }) -
+                  begin);
   }
 
   const Unfolded_mesh<FT>& m_mesh;

@@ -173,7 +173,7 @@ private:
   bool is_narrow(const Window& w) const
   {
     const FT width = w.b1 - w.b0;
-    return width <= m_touching || (width <= m_narrow && width <= m_touching * grazing(w));
+    return width <= (std::max)(m_narrow, m_touching) && (width <= m_touching || width <= m_touching * grazing(w));
   }
 
   // Factor by which the rounding of the place of a ray on the edge exceeds that across the ray.
@@ -257,7 +257,7 @@ private:
       if (t <= low) return a_ends_first && begin_at(w, crossing.at(a, low));
       if (t >= high)
       {
-        if (a_ends_first) push_rest(w, high, crossing.at(w, high), a.end_slope(), next, end);
+        if (a_ends_first) push_rest(w, high, crossing.at(w, high), w.ray_at(high), a.end_slope(), next, end);
         return true;
       }
       return false; // t is NaN
@@ -280,7 +280,7 @@ private:
       return begin_at(w, a_low); // the last window of the envelope is farther
     if (at_low == SMALLER && at_high == LARGER && !crossing.may_cross_twice(low, high))
     { // the last window of the envelope is nearer
-      if (a_ends_first) push_rest(w, high, w_high, a.end_slope(), next, end);
+      if (a_ends_first) push_rest(w, high, w_high, w.ray_at(high), a.end_slope(), next, end);
       return true;
     }
     return false;
@@ -291,9 +291,9 @@ private:
                                 const Window* const* end)
   {
     if (!(t - a.b0 > m_touching && w.b1 - t > m_touching)) return false;
-    const FT slope = a.slope_at(t);
-    a.cut_end(t, d, m_touching, w.slope_at(t));
-    push_rest(w, t, d, slope, next, end);
+    const FT ray_of_a = a.ray_at(t), ray = w.ray_at(t);
+    a.cut_end(t, d, m_touching, ray_of_a, w.slope(ray));
+    push_rest(w, t, d, ray, a.slope(ray_of_a), next, end);
     return true;
   }
 
@@ -306,7 +306,7 @@ private:
   }
 
   // Appends the rest of a window behind the last window of the envelope, or keeps it for later if another window begins before.
-  BOOST_FORCEINLINE void push_rest(const Window& w, const FT& t, const FT& d, const FT& slope_on_left,
+  BOOST_FORCEINLINE void push_rest(const Window& w, const FT& t, const FT& d, const FT& ray, const FT& slope_on_left,
                                    const Window* const* next, const Window* const* end)
   {
     CGAL_precondition(w.b0 <= t && t < w.b1);
@@ -314,9 +314,9 @@ private:
     if ((next == end || t <= (*next)->b0) && (!m_order.has_later() || t <= m_order.first_later().b0))
     {
       m_envelope.push_back(w);
-      m_envelope.back().cut_begin(FT(t), FT(d), m_touching, slope_on_left);
+      m_envelope.back().cut_begin(FT(t), FT(d), m_touching, ray, slope_on_left);
     }
-    else m_order.push_later(rest(w, t, d, slope_on_left));
+    else m_order.push_later(rest(w, t, d, ray, slope_on_left));
   }
 
   // Merges two overlapping windows with one image. If one of them is propagated, the other keeps only its new part.
@@ -343,7 +343,7 @@ private:
       m_order.push_later(old);
     }
     if (!is_before(old.b1, fresh.b1)) return;
-    fresh.cut_begin(old.b1, fresh.distance_at(old.b1), m_touching, old.end_slope());
+    fresh.cut_begin(old.b1, fresh.distance_at(old.b1), m_touching, fresh.ray_at(old.b1), old.end_slope());
     if (have_one_image) fresh.t0 = old.t1;
     m_order.push_later(fresh);
   }
@@ -379,9 +379,10 @@ private:
       else if (is_cut ? from < bisector[i] : from < owner.b1)
       {
         Window p = owner;
-        if (i > 0) p.cut_begin(from, bisector.distance(i - 1), m_touching, slope_on_left);
+        if (i > 0) p.cut_begin(from, bisector.distance(i - 1), m_touching, p.ray_at(from), slope_on_left);
         else cut_back(from, bisector.distance_at_low(true), owner.begin_slope());
-        if (is_cut) p.cut_end(bisector[i], bisector.distance(i), m_touching, other.slope_at(bisector[i]));
+        if (is_cut)
+          p.cut_end(bisector[i], bisector.distance(i), m_touching, p.ray_at(bisector[i]), other.slope_at(bisector[i]));
         if (i > 0) m_order.push_later(p);
         else m_envelope.push_back(p);
       }
@@ -425,14 +426,14 @@ private:
     Window& a = m_envelope.back();
     CGAL_precondition(CGAL::possibly(estimate(t) <= estimate(a.b1)));
     if (!(a.b0 < t)) m_envelope.pop_back();
-    else if (t != a.b1) a.cut_end(FT(t), FT(d), m_touching, slope_on_right);
+    else if (t != a.b1) a.cut_end(FT(t), FT(d), m_touching, a.ray_at(t), slope_on_right);
   }
 
   // Keeps the part of w from t on for later, if there is one.
   void keep_rest(const Window& w, const FT& t, const FT& d, const FT& slope_on_left)
   {
     if (!is_before(t, w.b1)) return;
-    m_order.push_later(rest(w, t, d, slope_on_left));
+    m_order.push_later(rest(w, t, d, w.ray_at(t), slope_on_left));
   }
 
   static bool is_before(const FT& b, const FT& end)
@@ -441,10 +442,10 @@ private:
     else return b < end;
   }
 
-  Window rest(const Window& whole, const FT& t, const FT& d, const FT& slope_on_left) const
+  Window rest(const Window& whole, const FT& t, const FT& d, const FT& ray, const FT& slope_on_left) const
   {
     Window w = whole;
-    w.cut_begin(t, d, m_touching, slope_on_left);
+    w.cut_begin(t, d, m_touching, ray, slope_on_left);
     return w;
   }
 

@@ -188,25 +188,25 @@ struct Window : Window_rays<FT>
     this->t1 = this->ray_at(b);
   }
   // Cuts off the begin or the end. Within `rounding` of the former end, the bounding ray stays: from an image next to the halfedge, a
-  // position has less precision than the ray. `slope`: of the ray of a neighbour that is as near at b. If the two rays diverge,
-  // the bounding ray becomes that of the neighbour, so that no gap opens.
-  void cut_begin(const FT& b, const FT& d, const FT& rounding, const FT& slope)
+  // position has less precision than the ray. `ray`: the ray through (b, 0). `slope`: of the ray of a neighbour that is as near at b. If
+  // the two rays diverge, the bounding ray becomes that of the neighbour, so that no gap opens.
+  BOOST_FORCEINLINE void cut_begin(const FT& b, const FT& d, const FT& rounding, const FT& ray, const FT& slope)
   {
     if constexpr (Number_policy<FT>::is_inexact)
       if (b - b0 > rounding)
       {
-        if (const FT ray = this->ray_at(b); !open_gap(slope, this->slope(ray))) this->t0 = ray;
+        if (BOOST_LIKELY(!open_gap(slope, this->slope(ray)))) this->t0 = ray;
         else if (!this->is_parallel()) this->t0 = (std::max)(this->t0, slope);
       }
     b0 = b;
     d0 = d;
   }
-  void cut_end(const FT& b, const FT& d, const FT& rounding, const FT& slope)
+  BOOST_FORCEINLINE void cut_end(const FT& b, const FT& d, const FT& rounding, const FT& ray, const FT& slope)
   {
     if constexpr (Number_policy<FT>::is_inexact)
       if (b1 - b > rounding)
       {
-        if (const FT ray = this->ray_at(b); !open_gap(this->slope(ray), slope)) this->t1 = ray;
+        if (BOOST_LIKELY(!open_gap(this->slope(ray), slope))) this->t1 = ray;
         else if (!this->is_parallel()) this->t1 = (std::min)(this->t1, slope);
       }
     b1 = b;
