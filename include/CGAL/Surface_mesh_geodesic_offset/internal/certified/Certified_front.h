@@ -120,20 +120,22 @@ private:
     if (!known) return;
     auto& list = *known;
     if (list.bucket != m_state.queue.current() || !list.has_new()) return;
-    list.bucket = Window_list<double, Window>::not_queued;
+    list.bucket = Certified_state::Lists::List::not_queued;
     m_state.schedule(m_unfolded.face(h));
-    if (list.processed == 0 && !m_state.keeps_windows && m_envelope.is_monotone_list(list.begin(), list.end()))
-    {
-      list.processed = list.size;
-      m_propagate(h, list.begin(), list.size);
-      return;
-    }
     // as in Halfedge_batch
-    for (Window* w = list.data; w != list.data + list.processed; ++w) w->set_propagated();
-    const std::vector<Window>& envelope = m_envelope(list.begin(), list.end(), m_mesh.length(h));
-    m_state.lists.assign(h, list, envelope);
-    list.processed = list.size;
-    m_propagate(h, envelope.data(), envelope.size());
+    const Window *begin = list.pending.begin(), *end = list.pending.end();
+    const std::size_t propagated = list.propagated.size;
+    if (propagated > 0 || m_state.keeps_windows || !m_envelope.is_monotone_list(begin, end))
+    {
+      m_windows.assign(list.propagated.begin(), list.propagated.end());
+      for (Window& w : m_windows) w.set_propagated();
+      m_windows.insert(m_windows.end(), begin, end);
+      const std::vector<Window>& envelope = m_envelope(m_windows.data(), m_windows.data() + m_windows.size(), m_mesh.length(h));
+      begin = envelope.data();
+      end = begin + envelope.size();
+    }
+    m_propagate(h, begin, std::size_t(end - begin));
+    m_state.lists.replace(h, list, 0, propagated, begin, end, m_state.lists.arena(0));
   }
 
   // Emits rays behind a vertex, at angles of at least pi to the arriving path, within the error of its direction.
@@ -223,6 +225,7 @@ private:
   Certified_state m_state;
   Vertex_sector<double> m_sector;
   Certified_envelope m_envelope;
+  std::vector<Window> m_windows; // of a list
   Certified_batch m_propagate;
   Source_pacing<double> m_pacing;
 };

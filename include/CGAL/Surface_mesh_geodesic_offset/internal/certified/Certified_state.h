@@ -40,7 +40,7 @@ class Certified_state
 {
 public:
   typedef Certified_window Window;
-  typedef Window_lists<double, Window, Arrivals::longest_list> Lists;
+  typedef Window_lists<double, Window, Window, Arrivals::longest_list> Lists;
   typedef Window_output<double, Window> Output;
 
   Certified_state(const Certified_mesh& m, bool keeps, Certified_field& f)
@@ -111,7 +111,7 @@ public:
     const std::size_t n = output.size();
     if (n == 0) return;
     auto& list = lists.get_or_create(output.halfedge());
-    lists.append(output.halfedge(), list, output.begin(), n);
+    lists.append(output.halfedge(), list, output.begin(), n, lists.arena(0));
     field.windows_created += n;
     const std::size_t bucket = (std::max)(queue.bucket_of(output.nearest()), queue.current());
     if (bucket >= list.bucket) return;
@@ -173,7 +173,7 @@ private:
     {
       const auto& list = lists.get(3 * f + k);
       field.begin[4 * f + k] = field.windows.size();
-      field.windows.insert(field.windows.end(), list.data, list.data + list.processed);
+      field.windows.insert(field.windows.end(), list.propagated.begin(), list.propagated.end());
       field.begin[4 * f + k + 1] = field.windows.size();
     }
   }

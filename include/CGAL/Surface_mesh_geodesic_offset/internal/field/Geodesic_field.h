@@ -144,7 +144,7 @@ public:
     if (lists.has(h))
     {
       const Window_list<FT>& list = lists.get(h);
-      for (Index i = 0; i < list.processed; ++i) f(restored(list.data[i], mesh[h].length));
+      for (const auto& w : list.propagated) f(restored(w, mesh[h].length));
     }
     else kept.for_each(h, mesh[h].length, distance, source_ref, f);
   }
@@ -154,8 +154,7 @@ private:
   BOOST_NOINLINE void add_earlier_windows(Index h, Window_list<FT>& list, typename Window_lists<FT>::Arena& arena)
   {
     kept.for_each(h, (*m_mesh)[h].length, m_before->distance, m_before->source_ref, [&](const Window& w) {
-      lists.append(h, list, &w, 1, arena);
-      list.data[list.processed++].set_propagated();
+      lists.replace(h, list, list.propagated.size, list.propagated.size, &w, &w + 1, arena);
     });
   }
 

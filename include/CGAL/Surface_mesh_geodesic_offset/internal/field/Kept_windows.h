@@ -218,10 +218,10 @@ private:
       }
       const Window_list<FT>& list = lists.get(h);
       Index outdated = 0;
-      for (auto *w = list.data, *const end = w + list.processed; w != end; ++w)
-        if (stores_sigma(*w)) p.sigma += 1 + Index(w->is_merged());
-        else outdated += Index(is_outdated(*w, distance, mesh[h].length));
-      p.windows[k] = list.processed - outdated;
+      for (const auto& w : list.propagated)
+        if (stores_sigma(w)) p.sigma += 1 + Index(w.is_merged());
+        else outdated += Index(is_outdated(w, distance, mesh[h].length));
+      p.windows[k] = list.propagated.size - outdated;
       p.has_outdated = p.has_outdated || outdated != 0;
     }
     return p;
@@ -279,8 +279,8 @@ private:
       if (lists.has(h))
       {
         const Window_list<FT>& list = lists.get(h);
-        for (auto *w = list.data, *const end = w + list.processed; w != end; ++w)
-          if (!(p.has_outdated && is_outdated(*w, distance, mesh[h].length))) pack(*w, next(), sigma);
+        for (const auto& w : list.propagated)
+          if (!(p.has_outdated && is_outdated(w, distance, mesh[h].length))) pack(w, next(), sigma);
       }
       else
         for (Index i = first(h), n = last(h); i < n; ++i) next() = at(i);

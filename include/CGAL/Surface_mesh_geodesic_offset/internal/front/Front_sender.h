@@ -33,13 +33,13 @@ struct Front_box
   struct Windows
   {
     Windows(typename Window_lists<FT>::Arena& arena, const Output& output)
-      : halfedge(output.halfedge()), nearest(output.nearest()), block(arena, output.begin(), output.size())
+      : halfedge(output.halfedge()), nearest(output.nearest()), block(arena.pending, output.begin(), output.size())
     {
     }
 
     Index halfedge;
     FT nearest;
-    Window_block<Stored_window<FT>> block;
+    Window_block<Window> block;
   };
   struct Single_window
   {

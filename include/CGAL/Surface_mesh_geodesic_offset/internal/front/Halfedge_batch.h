@@ -6,8 +6,7 @@
 //
 // If only distances at vertices are wanted, a monotone list, as the children of one batch mostly are, is propagated without the
 // reduction. Its neighbours are cut when they meet the windows of another batch, one or two faces later, at the cost of a few
-// more windows. A reduced list is written back only at its second batch: later windows cut the same parts again. Distances do
-// not change by more windows.
+// more windows. Distances do not change by more windows.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_HALFEDGE_BATCH_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_HALFEDGE_BATCH_H
@@ -40,56 +39,46 @@ public:
   Halfedge_batch(const Wavefront_state<FT>& state, const std::vector<Index>& source_of, const Traits& traits,
                  const Merging_tolerance<FT>& tolerance)
     : m_mesh(state.mesh), m_state(state), m_envelope(source_of, traits, state.mesh.longest_edge()),
-      m_merging(state.field, source_of, tolerance), m_propagate(state, traits),
-      m_needs_envelopes(!is_inexact || state.needs_envelopes)
+      m_merging(state.field, source_of, tolerance), m_propagate(state, traits)
   {
   }
 
-  // Windows that replace the processed windows [first, last) of a list and all pending ones; null if the list stays.
+  // Windows [begin, end) that replace the propagated windows [first, last) of a list and all pending ones.
   struct Replacement
   {
-    const Inline_sequence<Window>* windows = nullptr;
-    std::size_t first = 0, last = 0;
+    const Window *begin, *end;
+    std::size_t first, last;
   };
 
-  // Propagates the new windows of a halfedge. Of the list, only flags and the split change. The result is valid until the next
-  // call. A batch costs the new windows and the processed ones that they meet.
+  // Propagates the pending windows of a halfedge. Of the list, only flags and the split change. The result is valid until the next
+  // call. A batch costs the pending windows and the propagated ones that they meet.
   Replacement operator()(Index h, Window_list<FT>& list)
   {
-    CGAL_precondition(list.processed <= list.size);
-    const bool may_stay = !m_needs_envelopes && list.processed == 0 && !list.waiting.data;
-    const FT& length = m_mesh[h].length;
-    const std::size_t n = list.size + list.waiting.size;
-    if (m_windows.size() < n) m_windows.resize(n);
-    Window *const first = m_windows.data(), *const fresh = first + list.processed;
-    Window* const middle = restore(list.data + list.processed, list.end(), length, fresh);
-    if constexpr (is_inexact)
+    const Window *begin = list.pending.begin(), *end = list.pending.end();
+    const std::size_t propagated = list.propagated.size;
+    Replacement result{begin, end, 0, propagated};
+    if (needs_envelope(list))
     {
-      if (may_stay && Lower_envelope<Traits>::is_monotone_list(fresh, middle))
-      {
-        if constexpr (Traits::may_merge)
-          if (m_merging.pays_for(h, list.size)) return {&propagate_merged(h, list, first, middle)};
-        m_propagate(h, first, list.size, list.split_distance, list.split_entry);
-        return {};
-      }
+      const FT& length = m_mesh[h].length;
+      if constexpr (is_inexact)
+        if (list.is_reduced) narrow(list, length, result);
+      restore(list, length, result);
+      const Window* const old = m_windows.data();
+      const Inline_sequence<Window>& envelope = m_envelope(old, old + (result.last - result.first), length, begin, end);
+      result.begin = envelope.begin();
+      result.end = envelope.end();
+      list.is_reduced = true;
     }
-    Window* const last = restore(list.waiting.begin(), list.waiting.end(), length, middle);
-    Replacement result{nullptr, 0, list.processed};
-    if constexpr (is_inexact)
-      if (list.is_reduced) narrow(list, fresh, last, length, result);
-    Window *const old = first + result.first, *const old_end = first + result.last;
-    restore(list.data + result.first, list.data + result.last, length, old);
-    // A flag marks the processed windows for the envelope, which has another order.
-    for (Window* w = old; w != old_end; ++w) w->set_propagated();
-    const Inline_sequence<Window>& envelope = m_envelope(old, old_end, length, fresh, last);
     // Propagated windows cannot be merged, and they are most of the lists of second batches.
     if constexpr (Traits::may_merge)
-      if (list.processed == 0 && m_merging.pays_for(h, envelope.size()))
-        return {&propagate_merged(h, list, envelope.begin(), envelope.end())};
-    m_propagate(h, envelope.data(), envelope.size(), list.split_distance, list.split_entry);
-    if (may_stay) return {};
-    list.is_reduced = true;
-    result.windows = &envelope;
+      if (propagated == 0 && m_merging.pays_for(h, std::size_t(result.end - result.begin)))
+      {
+        const Inline_sequence<Window>& merged = m_merging(result.begin, result.end);
+        result.begin = merged.begin();
+        result.end = merged.end();
+        list.is_reduced = false;
+      }
+    m_propagate(h, result.begin, std::size_t(result.end - result.begin), list.split_distance, list.split_entry);
     return result;
   }
 
@@ -100,33 +89,39 @@ public:
 private:
   static constexpr bool is_inexact = Number_policy<FT>::is_inexact;
 
-  const Inline_sequence<Window>& propagate_merged(Index h, Window_list<FT>& list, const Window* first, const Window* last)
+  bool needs_envelope(const Window_list<FT>& list) const
   {
-    const Inline_sequence<Window>& merged = m_merging(first, last);
-    m_propagate(h, merged.data(), merged.size(), list.split_distance, list.split_entry);
-    return merged;
+    if constexpr (!is_inexact) return true;
+    else
+      return m_state.needs_envelopes || list.propagated.size > 0 ||
+             !Lower_envelope<Traits>::is_monotone_list(list.pending.begin(), list.pending.end());
   }
 
-  // Restores the windows [first, last) on a halfedge of the given length to `out`. Returns the end.
-  static Window* restore(const Stored_window<FT>* first, const Stored_window<FT>* last, const FT& length, Window* out)
+  // Restores the propagated windows of a range, and marks them for the envelope.
+  void restore(const Window_list<FT>& list, const FT& length, const Replacement& range)
   {
-    for (; first != last; ++first) ::new (static_cast<void*>(out++)) Window(restored(*first, length));
-    return out;
+    if (m_windows.size() < range.last - range.first) m_windows.resize(range.last - range.first);
+    Window* out = m_windows.data();
+    for (std::size_t i = range.first; i < range.last; ++i, ++out)
+    {
+      ::new (static_cast<void*>(out)) Window(restored(list.propagated.data[i], length));
+      out->set_propagated();
+    }
   }
 
-  // Finds the processed windows of a reduced list that may meet the new windows [fresh, last).
-  void narrow(const Window_list<FT>& list, const Window* fresh, const Window* last, const FT& length, Replacement& range) const
+  // Finds the propagated windows of a reduced list that may meet the pending ones.
+  void narrow(const Window_list<FT>& list, const FT& length, Replacement& range) const
   {
-    CGAL_precondition(fresh != last);
-    FT low = fresh->b0, high = fresh->b1, farthest(0);
-    for (const Window* w = fresh; w != last; ++w)
+    CGAL_precondition(range.begin != range.end);
+    FT low = range.begin->b0, high = range.begin->b1, farthest(0);
+    for (const Window* w = range.begin; w != range.end; ++w)
     {
       low = (std::min)(low, w->b0);
       high = (std::max)(high, w->b1);
       farthest = (std::max)(farthest, w->d1);
     }
     const FT gap = m_envelope.reach(length, farthest);
-    const auto *const begin = list.data, *const end = begin + list.processed;
+    const auto *const begin = list.propagated.begin(), *const end = list.propagated.end();
     const auto* const old =
       std::partition_point(begin, end, [&](const Stored_window<FT>& w) { return w.position(w.t1) < low - gap; });
     range.first = std::size_t(old - begin);
@@ -140,8 +135,7 @@ private:
   Lower_envelope<Traits> m_envelope;
   Merging m_merging;
   Batch_propagation<Traits> m_propagate;
-  const bool m_needs_envelopes;
-  std::vector<Window> m_windows; // of the list
+  std::vector<Window> m_windows; // propagated ones, restored
 };
 
 } // namespace CGAL::Geodesic_offset::internal

@@ -36,8 +36,8 @@ BOOST_FORCEINLINE void process_halfedge(Index h, Wavefront_state<typename Traits
   List& list = *known;
   if (list.bucket != state.current() || !list.has_new()) return;
   list.bucket = List::not_queued;
-  if (const auto a = batch(h, list); a.windows) lists.replace(h, list, a.first, a.last, *a.windows, arena);
-  list.processed = list.size;
+  const auto a = batch(h, list);
+  lists.replace(h, list, a.first, a.last, a.begin, a.end, arena);
   CGAL_assertion(!list.has_new());
   const auto& propagated = batch.propagated();
   part.counts.windows_propagated += propagated.number_of_windows();

@@ -167,7 +167,7 @@ private:
   {
     const auto local = local_windows(m_initial, f);
     std::size_t windows = 3; // the corners have cones, too
-    for (Index h = 3 * f; h < 3 * f + 3; ++h) windows += m_field.lists.get(h).processed;
+    for (Index h = 3 * f; h < 3 * f + 3; ++h) windows += m_field.lists.get(h).propagated.size;
     return pieces_per_window * double(windows) + pieces_per_local_window * double(local.second - local.first);
   }
 

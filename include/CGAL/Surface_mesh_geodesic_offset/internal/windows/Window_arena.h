@@ -114,8 +114,7 @@ struct Window_block
   Window_block() = default;
 
   // Copies n > 0 windows into a block of an arena.
-  template <class Any>
-  Window_block(Window_arena<Window>& arena, const Any* first, std::size_t n)
+  Window_block(Window_arena<Window>& arena, const Window* first, std::size_t n)
     : size(Index(n)), size_class(Window_arena<Window>::size_class(n))
   {
     CGAL_precondition(n > 0);

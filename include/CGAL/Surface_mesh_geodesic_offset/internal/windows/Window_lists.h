@@ -24,37 +24,35 @@
 
 namespace CGAL::Geodesic_offset::internal {
 
-// The first `processed` windows are propagated, and sorted and disjoint if envelopes are required; the others are pending.
-template <class FT, class Window_ = Stored_window<FT>>
+// The windows of a halfedge. A propagated window is stored by its rays; a pending one has its positions until its batch.
+template <class FT, class Window = Window<FT>, class Stored = Stored_window<FT>>
 struct alignas(sizeof(FT) == 8 ? 64 : (std::max)(alignof(FT), alignof(std::size_t))) Window_list
 {
-  typedef Window_ Window;
   static constexpr std::size_t not_queued = ~std::size_t(0);
 
-  Window* data = nullptr;
-  Index size = 0;
-  Index processed = 0;
-  Index size_class = 0;
-  bool is_reduced = false; // the processed windows are a lower envelope
+  Window_block<Stored> propagated; // sorted and disjoint if envelopes are required
+  Window_block<Window> pending;
   std::size_t bucket = not_queued;
   FT split_distance = Number_policy<FT>::infinity(); // "one angle, one split": smallest distance of the
   FT split_entry = FT(0);                            // apex through this halfedge, and the entry of its ray
-  Window_block<Window> waiting;                      // more pending windows
+  bool is_reduced = false;                           // the propagated windows are a lower envelope
 
-  bool has_new() const { return processed != size || waiting.data; }
-  const Window* begin() const { return data; }
-  const Window* end() const { return data + size; }
+  bool has_new() const { return pending.data; }
 };
 
 // Each part of the front has its own lists, so several threads may work on different parts. Blocks come from arenas, one per
 // thread. `longest`: the length of lists that is always allowed, see reserve().
-template <class FT, class Window_ = Stored_window<FT>, std::size_t longest = std::size_t(1) << 12>
+template <class FT, class Window_ = Window<FT>, class Stored = Stored_window<FT>, std::size_t longest = std::size_t(1) << 12>
 class Window_lists
 {
 public:
   typedef Window_ Window;
-  typedef Window_list<FT, Window> List;
-  typedef Window_arena<Window> Arena;
+  typedef Window_list<FT, Window, Stored> List;
+  struct Arena
+  {
+    Window_arena<Stored> propagated;
+    Window_arena<Window> pending;
+  };
 
   Window_lists() = default;
   explicit Window_lists(std::size_t number_of_halfedges, const Front_parts& parts = Front_parts())
@@ -91,58 +89,41 @@ public:
     return part.lists[m_place[h]] = List();
   }
 
-  // Appends n windows to the list of a halfedge, before its pending block.
-  template <class Any>
-  void append(Index h, List& list, const Any* first, std::size_t n)
+  // Appends n pending windows to the list of a halfedge.
+  void append(Index h, List& list, const Window* first, std::size_t n, Arena& arena)
   {
-    append(h, list, first, n, m_arenas.front());
-  }
-  template <class Any>
-  void append(Index h, List& list, const Any* first, std::size_t n, Arena& arena)
-  {
-    write(list, first, n, arena);
+    write(list.pending, first, n, arena.pending);
     count(h, std::ptrdiff_t(n));
   }
 
-  // Appends a block to the list of a halfedge. Copies windows only if the list has two blocks already.
+  // Appends a block of pending windows to the list of a halfedge.
   void append(Index h, List& list, const Window_block<Window>& block, Arena& arena)
   {
-    CGAL_precondition(block.data != nullptr && block.size > 0 && block.size <= Arena::capacity(block.size_class));
+    CGAL_precondition(block.data != nullptr && block.size > 0 && block.size <= arena.pending.capacity(block.size_class));
     count(h, std::ptrdiff_t(block.size));
-    if (!list.data)
-    { // takes over the block
-      list.data = block.data;
-      list.size = block.size;
-      list.size_class = block.size_class;
-      return;
+    if (!list.pending.data) list.pending = block;
+    else
+    {
+      write(list.pending, block.data, block.size, arena.pending);
+      arena.pending.release(block.data, block.size_class);
     }
-    write(list, list.waiting.data, list.waiting.size, arena);
-    drop_waiting(list, arena);
-    list.waiting = block;
   }
 
-  // Replaces all windows of the list of a halfedge.
-  template <class Windows>
-  void assign(Index h, List& list, const Windows& windows)
+  // Replaces the propagated windows [first, last) and all pending ones of the list of a halfedge by the windows [begin, end), which
+  // may be the pending ones.
+  void replace(Index h, List& list, std::size_t first, std::size_t last, const Window* begin, const Window* end, Arena& arena)
   {
-    replace(h, list, 0, list.processed, windows, m_arenas.front());
-  }
-
-  // Replaces the processed windows [first, last) and all pending ones of the list of a halfedge.
-  template <class Windows>
-  void replace(Index h, List& list, std::size_t first, std::size_t last, const Windows& windows, Arena& arena)
-  {
-    CGAL_precondition(first <= last && last <= list.processed && list.processed <= list.size);
-    const std::size_t end = first + windows.size(), size = end + (list.processed - last);
-    count(h, std::ptrdiff_t(size) - std::ptrdiff_t(list.size + list.waiting.size));
-    drop_waiting(list, arena);
-    list.size = list.processed;
-    reserve(list, size, arena);
-    Window *const behind = list.data + last, *const behind_end = list.data + list.size;
-    if (end > last) std::move_backward(behind, behind_end, list.data + size);
-    else if (end < last) std::move(behind, behind_end, list.data + end);
-    std::copy(windows.data(), windows.data() + windows.size(), list.data + first);
-    list.size = Index(size);
+    Window_block<Stored>& block = list.propagated;
+    CGAL_precondition(first <= last && last <= block.size);
+    const std::size_t middle = first + std::size_t(end - begin), size = middle + (block.size - last);
+    count(h, std::ptrdiff_t(size) - std::ptrdiff_t(block.size + list.pending.size));
+    reserve(block, size, arena.propagated);
+    Stored *const behind = block.data + last, *const behind_end = block.data + block.size;
+    if (middle > last) std::move_backward(behind, behind_end, block.data + size);
+    else if (middle < last) std::move(behind, behind_end, block.data + middle);
+    std::copy(begin, end, block.data + first);
+    block.size = Index(size);
+    drop(list.pending, arena.pending);
   }
 
   // Releases the lists of all halfedges of faces. They are no longer in the cache, so they are prefetched together.
@@ -168,19 +149,8 @@ public:
   void balance_arenas()
   {
     if (m_arenas.size() < 2) return;
-    for (Index c = 0; c < Arena::number_of_size_classes; ++c)
-    {
-      const auto has_less = [c](const Arena& a, const Arena& b) {
-        return a.number_of_free_blocks(c) < b.number_of_free_blocks(c);
-      };
-      for (std::size_t i = 1; i < m_arenas.size(); ++i)
-      {
-        const auto ends = std::minmax_element(m_arenas.begin(), m_arenas.end(), has_less);
-        const std::size_t more = ends.second->number_of_free_blocks(c) - ends.first->number_of_free_blocks(c);
-        if (more < 16) break;
-        ends.second->give(*ends.first, c, more / 2);
-      }
-    }
+    balance(&Arena::propagated);
+    balance(&Arena::pending);
   }
 
   std::ptrdiff_t number_of_windows(Index part) const { return m_part[part].live; }
@@ -219,30 +189,49 @@ private:
     part.lists.emplace_back();
   }
 
+  template <class Windows>
+  void balance(Window_arena<Windows> Arena::*arena)
+  {
+    typedef Window_arena<Windows> Blocks;
+    for (Index c = 0; c < Blocks::number_of_size_classes; ++c)
+    {
+      const auto has_less = [c, arena](const Arena& a, const Arena& b) {
+        return (a.*arena).number_of_free_blocks(c) < (b.*arena).number_of_free_blocks(c);
+      };
+      for (std::size_t i = 1; i < m_arenas.size(); ++i)
+      {
+        const auto ends = std::minmax_element(m_arenas.begin(), m_arenas.end(), has_less);
+        Blocks &least = (*ends.first).*arena, &most = (*ends.second).*arena;
+        const std::size_t more = most.number_of_free_blocks(c) - least.number_of_free_blocks(c);
+        if (more < 16) break;
+        most.give(least, c, more / 2);
+      }
+    }
+  }
+
   // Longer lists on small meshes come from faces so thin that no window is certainly nearer than another; then the number of
   // windows doubles in every face.
-  void reserve(List& list, std::size_t n, Arena& arena) const
+  template <class Windows>
+  void reserve(Window_block<Windows>& block, std::size_t n, Window_arena<Windows>& arena) const
   {
-    if (list.data && n <= Arena::capacity(list.size_class)) return;
+    if (block.data && n <= arena.capacity(block.size_class)) return;
     if (BOOST_UNLIKELY(n > longest) && n > longest + 4 * (m_place.size() + m_number_of_primitives))
       throw std::runtime_error("Surface_mesh_geodesic_offset: " + std::to_string(n) +
                                " windows on an edge: faces are so thin that rounding does not let windows be told apart");
-    const Index c = Arena::size_class(n, list.size_class);
-    Window* const data = arena.allocate(c);
-    std::copy(list.data, list.data + list.size, data);
-    if (list.data) arena.release(list.data, list.size_class);
-    list.data = data;
-    list.size_class = c;
+    const Index c = arena.size_class(n, block.size_class);
+    Windows* const data = arena.allocate(c);
+    std::copy(block.begin(), block.end(), data);
+    if (block.data) arena.release(block.data, block.size_class);
+    block.data = data;
+    block.size_class = c;
   }
 
   // Appends windows without counting.
-  template <class Any>
-  void write(List& list, const Any* first, std::size_t n, Arena& arena) const
+  void write(Window_block<Window>& block, const Window* first, std::size_t n, Window_arena<Window>& arena) const
   {
-    reserve(list, list.size + n, arena);
-    CGAL_assertion(list.size + n <= Arena::capacity(list.size_class));
-    std::copy(first, first + n, list.data + list.size);
-    list.size += Index(n);
+    reserve(block, block.size + n, arena);
+    std::copy(first, first + n, block.data + block.size);
+    block.size += Index(n);
   }
 
   // `part`: that of the face.
@@ -260,10 +249,10 @@ private:
   {
     if (m_place[h] == no_index) return;
     List& list = part.lists[m_place[h]];
-    part.live -= list.size + list.waiting.size;
+    part.live -= list.propagated.size + list.pending.size;
     CGAL_assertion(part.live >= 0);
-    drop_waiting(list, arena);
-    if (list.data) arena.release(list.data, list.size_class);
+    drop(list.pending, arena.pending);
+    drop(list.propagated, arena.propagated);
     part.free.push_back(m_place[h]);
     m_place[h] = no_index;
   }
@@ -282,9 +271,9 @@ private:
     if (h == no_index || m_place[h] == no_index) return;
     const List& list = part_of(h).lists[m_place[h]];
     // One branch instead of a loop, whose number of turns is unpredictable.
-    internal::prefetch(list.data, 4 * sizeof(Window));
-    if (list.size > 4) internal::prefetch(list.data + 4, 4 * sizeof(Window));
-    if (list.waiting.data) internal::prefetch(list.waiting.data, 4 * sizeof(Window));
+    internal::prefetch(list.pending.data, 4 * sizeof(Window));
+    if (list.pending.size > 4) internal::prefetch(list.pending.data + 4, 4 * sizeof(Window));
+    if (list.propagated.data) internal::prefetch(list.propagated.data, 4 * sizeof(Stored));
   }
 
   BOOST_FORCEINLINE void prefetch_list(Index h) const
@@ -292,11 +281,12 @@ private:
     if (h != no_index && m_place[h] != no_index) internal::prefetch(&part_of(h).lists[m_place[h]]);
   }
 
-  static void drop_waiting(List& list, Arena& arena)
+  template <class Windows>
+  static void drop(Window_block<Windows>& block, Window_arena<Windows>& arena)
   {
-    if (!list.waiting.data) return;
-    arena.release(list.waiting.data, list.waiting.size_class);
-    list.waiting = Window_block<Window>();
+    if (!block.data) return;
+    arena.release(block.data, block.size_class);
+    block = Window_block<Windows>();
   }
 
   Part& part_of(Index h) { return m_part[m_parts.of_halfedge(h)]; }
