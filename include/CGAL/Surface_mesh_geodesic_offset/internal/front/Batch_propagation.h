@@ -57,7 +57,8 @@ public:
     m_entry = split_entry;
     m_known = m_state.field.distance[m_apex];
     const FT dp = m_state.field.distance[m_mesh.source(h)], dq = m_state.field.distance[m_mesh.target(h)];
-    find_exits(h, face, w, n);
+    const FT along_edge = (std::min)(FT(dp + face.left_length), FT(dq + face.right_length));
+    find_exits(h, face, w, n, along_edge);
     split_distance = m_best;
     split_entry = m_entry;
     const FT dr = m_known;
@@ -143,7 +144,8 @@ private:
   // Finds the exits of the windows, and updates the apex by the nearest window that covers it. With inexact numbers, rounding may
   // leave the apex between two windows, so a window that misses it by rounding updates it, too. Also finds the smallest distance of
   // the apex through h so far, and the entry of its ray.
-  BOOST_FORCEINLINE void find_exits(Index h, const Window_propagation<Traits>& face, const Window* windows, std::size_t n)
+  BOOST_FORCEINLINE void find_exits(Index h, const Window_propagation<Traits>& face, const Window* windows, std::size_t n,
+                                    const FT& along_edge)
   {
     if (m_exit.size() < n)
     {
@@ -191,6 +193,17 @@ private:
       for (std::size_t i = right_begin; i < left_end; ++i)
         if (exits[i] == BOTH && &windows[i] != nearest && m_state.tie(m_apex_ray[i].distance, m_best))
           update_apex(h, face, m_apex_ray[i].distance, windows[i]);
+    // The path to the apex along an edge of the face is shorter only in needles, where windows have the rounding error of much
+    // longer edges, and beside the border: a ray that passes a vertex of the border next to its image may miss the next one.
+    if (!m_state.is_shorter(along_edge, m_known)) return;
+    const bool is_reached = Number_policy<FT>::is_finite(m_known);
+    if (!is_reached && m_mesh.twin(m_mesh.previous(h)) != no_index && m_mesh.twin(m_mesh.next(h)) != no_index) return;
+    const Source_ref source_ref = m_updates.empty() ? m_state.field.source_ref[m_apex] : m_updates.back().source_ref;
+    // no other batch may reach it again
+    const Update update =
+      is_reached ? m_state.along_edge(m_mesh.previous(h), source_ref) : m_state.along_edges(m_apex, source_ref);
+    m_known = update.distance;
+    m_updates.push_back(update);
   }
 
   BOOST_FORCEINLINE Exit exit_of(Index h, const Window_propagation<Traits>& face, const Window& w)
