@@ -123,19 +123,19 @@ private:
     list.bucket = Certified_state::Lists::List::not_queued;
     m_state.schedule(m_unfolded.face(h));
     // as in Halfedge_batch
-    const Window *begin = list.pending.begin(), *end = list.pending.end();
     const std::size_t propagated = list.propagated.size;
+    m_windows.assign(list.propagated.begin(), list.propagated.end());
+    for (Window& w : m_windows) w.set_propagated();
+    m_windows.insert(m_windows.end(), list.pending.begin(), list.pending.end());
+    const Window *begin = m_windows.data(), *end = begin + m_windows.size();
     if (propagated > 0 || m_state.keeps_windows || !m_envelope.is_monotone_list(begin, end))
     {
-      m_windows.assign(list.propagated.begin(), list.propagated.end());
-      for (Window& w : m_windows) w.set_propagated();
-      m_windows.insert(m_windows.end(), begin, end);
-      const std::vector<Window>& envelope = m_envelope(m_windows.data(), m_windows.data() + m_windows.size(), m_mesh.length(h));
+      const std::vector<Window>& envelope = m_envelope(begin, end, m_mesh.length(h));
       begin = envelope.data();
       end = begin + envelope.size();
     }
-    m_propagate(h, begin, std::size_t(end - begin));
     m_state.lists.replace(h, list, 0, propagated, begin, end, m_state.lists.arena(0));
+    m_propagate(h, begin, std::size_t(end - begin)); // may move the list
   }
 
   // Emits rays behind a vertex, at angles of at least pi to the arriving path, within the error of its direction.
