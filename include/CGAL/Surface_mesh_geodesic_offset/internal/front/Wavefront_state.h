@@ -340,13 +340,16 @@ public:
   // from add(); here, both are equal.
   void add_apart(Index g, Window& w) { add(g, w); }
 
-  // Trims a window by the distances ds and dt at the ends of g. Returns true if a part of it remains within the maximum.
+  // Trims a window of new rays by the distances ds and dt at the ends of g, and takes its positions from its rays: rounding on the
+  // chord of a source may exceed that of the rays. Returns true if a part of it remains within the maximum.
   bool admits(Index g, const FT& ds, const FT& dt, Window& w) const
   {
     if (!takes_windows(g)) return false;
     const FT& length = mesh[g].length;
     const auto allowance = pruning_allowance<FT>(estimate(w.d1) + estimate(length), mesh.longest_edge());
-    return Window_pruning<FT>(length, ds, dt, allowance).trim(w) && !certainly_less(maximum, minimum(w));
+    if (!Window_pruning<FT>(length, ds, dt, allowance).trim(w)) return false;
+    if constexpr (Number_policy<FT>::is_inexact) w = restored<FT>(Stored_window<FT>(w), length);
+    return !certainly_less(maximum, minimum(w));
   }
 
   void append(Index g, const Window& w)
