@@ -8,6 +8,7 @@
 #ifndef GEODESIC_OFFSET_TEST_NEAR_VERTEX_SEARCH_H
 #define GEODESIC_OFFSET_TEST_NEAR_VERTEX_SEARCH_H
 
+#include "field_features.h"
 #include "generated_flat_meshes.h"
 #include "geodesic_types.h"
 #include "locations.h"
@@ -31,6 +32,7 @@ struct Near_vertex_counts
   std::size_t meshes = 0, queries = 0, wrong = 0, wrong_meshes = 0;
   double worst = 0;      // error relative to distance plus longest edge
   double worst_near = 0; // error relative to distance plus longest edge of the triangle or at the vertex
+  double widest_gap = 0; // between neighbouring windows of an edge, relative to distance plus longest edge
 };
 
 class Near_vertex_search
@@ -43,6 +45,10 @@ public:
   enum Sources { BESIDE, AROUND, IN_NEEDLES, PERPENDICULAR };
 
   static constexpr double tolerance = 1e-11; // relative to distance plus longest edge
+
+  /// Gaps between windows up to this part of an edge are measured: a wider part may be reached through the other side of the edge
+  /// alone, and a lost cone as wide as this gives wrong distances.
+  static constexpr double widest_measured_gap = 1e-9;
 
   /// Writes up to `printed` wrong distances to `log`.
   Near_vertex_search(std::ostream& log, std::size_t printed, std::size_t queries, Sources sources = BESIDE)
@@ -73,7 +79,7 @@ public:
   void run(const std::string& name, const Soup& soup, const std::vector<Location>& polyline, bool is_closed)
   {
     const Generated_mesh<Surface_mesh> data(soup);
-    Geodesic geodesic(data.mesh);
+    Open_geodesic geodesic(data.mesh);
     std::vector<Face_location> locations;
     for (const Location& l : polyline) locations.push_back(location(soup, data, l));
     ++counts_[name].meshes;
@@ -158,7 +164,7 @@ private:
       const Generated_mesh<Surface_mesh> data(soup);
       const std::vector<Location> segment = perpendicular_segment(soup);
       if (kind < 2) return compare_polyline_in_plane(soup, data, segment, counts, seed);
-      Geodesic geodesic(data.mesh);
+      Open_geodesic geodesic(data.mesh);
       compare_polyline(soup, data, geodesic, {location(soup, data, segment[0]), location(soup, data, segment[1])}, false,
                        counts, seed);
     });
@@ -466,14 +472,45 @@ private:
     return result;
   }
 
-  /// Compares the distances of queries and vertices with those expected.
+  /// Widest measured gap between the windows of an edge of a face, across their rays, relative to their distance plus `size`.
+  static double widest_gap(const Face_field& field, int edge, double size)
+  {
+    const Point_in_face corner = field.frame().corner(edge), along = field.frame().direction(edge);
+    std::vector<Face_window> windows;
+    for (const Face_window& w : field.windows())
+      if (int(w.origin) == edge) windows.push_back(w);
+    const auto place = [&](const Point_in_face& p) { return dot(p - corner, along); };
+    std::sort(windows.begin(), windows.end(),
+              [&](const Face_window& a, const Face_window& b) { return place(a.left) < place(b.left); });
+    const auto sine = [&](const Point_in_face& ray) { return std::abs(cross(along, ray)) / length(ray); };
+    double result = 0;
+    const Face_window* before = nullptr; // ends last
+    for (const Face_window& w : windows)
+    {
+      if (before)
+        if (const double gap = place(w.left) - place(before->right);
+            gap > 0 && gap < widest_measured_gap * field.frame().edge_length(edge))
+          result = (std::max)(result,
+                              gap * (std::min)(sine(before->right_ray()), sine(w.left_ray())) / (w.distance_at(w.left) + size));
+      if (!before || place(w.right) > place(before->right)) before = &w;
+    }
+    return result;
+  }
+
+  /// Compares the distances of queries and vertices with those expected, and measures the gaps between windows.
   template <class Of_query, class Of_vertex>
-  void compare(const Soup& soup, const Generated_mesh<Surface_mesh>& data, const Geodesic& geodesic,
+  void compare(const Soup& soup, const Generated_mesh<Surface_mesh>& data, const Open_geodesic& geodesic,
                const std::vector<Location>& queries, const Of_query& of_query, const Of_vertex& of_vertex,
                Near_vertex_counts& counts, unsigned seed)
   {
     typedef std::array<std::size_t, 3> Triangle;
     const double size = longest_edge(soup, [](const Triangle&) { return true; });
+    Face_field field = geodesic.face_field();
+    for (const auto f : faces(data.mesh))
+    {
+      field.set_face(geodesic.field_index(f));
+      for (int k = 0; k < 3; ++k) counts.widest_gap = (std::max)(counts.widest_gap, widest_gap(field, k, size));
+    }
     for (std::size_t q = 0; q < queries.size(); ++q)
     {
       const Triangle& triangle = soup.triangles[queries[q].triangle];
@@ -513,7 +550,7 @@ private:
     for (const Point_3& p : soup.points) points.push_back({p.x(), p.y(), p.z()});
     Reference_distances reference(points, soup.triangles);
     reference.solve({}, sources, queries);
-    Geodesic geodesic(data.mesh);
+    Open_geodesic geodesic(data.mesh);
     for (const Location& s : sources) geodesic.add_source_point(location(soup, data, s));
     geodesic.build(CGAL::parameters::keep_windows(true));
     compare(
@@ -576,7 +613,7 @@ private:
                              Near_vertex_counts& counts, unsigned seed)
   {
     const Locations<Surface_mesh> locations(data.mesh);
-    Geodesic geodesic(data.mesh);
+    Open_geodesic geodesic(data.mesh);
     std::vector<Face_location> polyline = polyline_around(data, v);
     bool is_closed =
       locations.common_face(polyline.front(), polyline.back()) != Surface_mesh::null_face() && uniform(random_) < 0.6;
@@ -590,7 +627,7 @@ private:
     compare_polyline(soup, data, geodesic, polyline, is_closed, counts, seed);
   }
 
-  void compare_polyline(const Soup& soup, const Generated_mesh<Surface_mesh>& data, Geodesic& geodesic,
+  void compare_polyline(const Soup& soup, const Generated_mesh<Surface_mesh>& data, Open_geodesic& geodesic,
                         const std::vector<Face_location>& polyline, bool is_closed, Near_vertex_counts& counts, unsigned seed)
   {
     const Locations<Surface_mesh> locations(data.mesh);
@@ -679,7 +716,7 @@ private:
       polyline.push_back(location(soup, data, c));
       placed.push_back(in_plane(soup, c));
     }
-    Geodesic geodesic(data.mesh);
+    Open_geodesic geodesic(data.mesh);
     geodesic.add_source_polyline(polyline);
     geodesic.build(CGAL::parameters::keep_windows(true));
     const auto expected = [&](const Planar& p) {

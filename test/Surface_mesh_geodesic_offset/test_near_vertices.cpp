@@ -22,9 +22,12 @@ using namespace test;
 void check(const Near_vertex_search& search)
 {
   for (const auto& c : search.counts())
+  {
     CHECK_DETAIL(c.second.wrong == 0 && c.second.queries > 0,
                  c.first + ": " + std::to_string(c.second.wrong) + " wrong distances, the worst is off by " +
                    std::to_string(c.second.worst));
+    CHECK_DETAIL(c.second.widest_gap <= 1e-13, c.first + ": a gap of " + std::to_string(c.second.widest_gap * 1e13) + "e-13");
+  }
 }
 
 // Corners on both sides of a short segment at a vertex, corners above an edge, a vertex that hides the rays behind it.

@@ -10,8 +10,8 @@
 // Case i has seed N + i, which determines its mesh, sources and queries; so `--seed N --meshes 1` repeats a case.
 //
 // Output: wrong distances, then a table by kind: meshes, queries, wrong ones, meshes with wrong ones, the largest error
-// relative to the distance plus the longest edge, and to the distance plus the longest edge near by. The exit code is 1 if a
-// distance is wrong, and 2 for wrong options.
+// relative to the distance plus the longest edge, and to the distance plus the longest edge near by, and the widest gap between
+// windows, relative to the distance plus the longest edge. The exit code is 1 if a distance is wrong, and 2 for wrong options.
 
 #include "near_vertex_search.h"
 #include "search_options.h"
@@ -27,13 +27,13 @@ int run(const test::Seed_range_options& options, test::Near_vertex_search::Sourc
 {
   test::Near_vertex_search search(std::cout, options.printed, options.per_mesh, sources);
   for (std::size_t i = 0; i < options.meshes; ++i) search.run(options.seed + static_cast<unsigned>(i));
-  std::printf("| kind | meshes | queries | wrong | in meshes | worst | near |\n|---|---|---|---|---|---|---|\n");
+  std::printf("| kind | meshes | queries | wrong | in meshes | worst | near | gap |\n|---|---|---|---|---|---|---|---|\n");
   std::size_t wrong = 0;
   for (const auto& c : search.counts())
   {
     const test::Near_vertex_counts& n = c.second;
-    std::printf("| %s | %zu | %zu | %zu | %zu | %.2g | %.2g |\n", c.first.c_str(), n.meshes, n.queries, n.wrong, n.wrong_meshes,
-                n.worst, n.worst_near);
+    std::printf("| %s | %zu | %zu | %zu | %zu | %.2g | %.2g | %.2g |\n", c.first.c_str(), n.meshes, n.queries, n.wrong,
+                n.wrong_meshes, n.worst, n.worst_near, n.widest_gap);
     wrong += n.wrong;
   }
   return wrong == 0 ? 0 : 1;

@@ -124,6 +124,11 @@ private:
     }
     left_out = FT(0);
     s.direction = (FT(1) / size) * (s.b - s.a);
+    if (s.edge)
+    { // exactly that of the edge: rounding in coordinates would turn a short segment
+      const Point along = Face_frame<FT>(m_mesh, s.face).direction(edge_of_bit(s.edge));
+      s.direction = CGAL::is_negative(dot(along, s.direction)) ? FT(-1) * along : along;
+    }
     s.uncertainty = s.edge ? FT(0) : m_out.direction_uncertainty(s.face, size);
     return true;
   }
