@@ -137,12 +137,21 @@ public:
         inside.size() > Voronoi_tolerances<NT>::most_windows && is_divisible &&
         part.divisions_in_vain < Voronoi_tolerances<NT>::most_divisions_in_vain &&
         divisions_for_windows < Voronoi_tolerances<NT>::most_divisions_for_windows * m_all.size();
-      if (has_many_windows) ++divisions_for_windows;
+      m_arcs.clear();
+      const auto add = [&](const Bisector_arc<NT>& a) { m_arcs.push_back(a); };
+      if (has_many_windows)
+      {
+        if (inside.size() <= Voronoi_tolerances<NT>::most_windows_at_once &&
+            bisectors.connect_at_once(part.cell, inside, new_node, add))
+        {
+          std::for_each(m_arcs.begin(), m_arcs.end(), write);
+          continue;
+        }
+        ++divisions_for_windows;
+      }
       else
       {
-        m_arcs.clear();
-        const bool fits =
-          bisectors.connect(part.cell, inside, new_node, [&](const Bisector_arc<NT>& a) { m_arcs.push_back(a); });
+        const bool fits = bisectors.connect(part.cell, inside, new_node, add);
         const auto holds_along = [&](const Bisector_arc<NT>& a) {
           return links.is_verified(a, part.near, bisectors.has_wide_joints());
         };
