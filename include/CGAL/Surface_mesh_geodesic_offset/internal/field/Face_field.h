@@ -55,7 +55,7 @@ public:
   // `limit`: windows that enter the face or start at a corner are left out if they have no smaller distance.
   void set_face(Index face, const FT& limit = Number_policy<FT>::infinity())
   {
-    start(face);
+    set_frame(face);
     for (int k = 0; k < 3; ++k)
       m_field.for_each_window(m_mesh, 3 * face + Index(k), [&](const Window<FT>& w) {
         if (const FT lowest = minimum(w); may_be_less(lowest, limit)) add_window(w, k, lowest);
@@ -68,7 +68,7 @@ public:
   // Overload for one point: of the kept windows, only windows whose distance at p is the given one up to rounding.
   void set_face_at(Index face, const Point& p, const FT& distance)
   {
-    start(face);
+    set_frame(face);
     const FT limit = distance + rounding_of(distance);
     add_local_windows();
     for (int k = 0; k < 3; ++k)
@@ -79,6 +79,18 @@ public:
                                    [&](const Window<FT>& w) { add_window(w, k, minimum(w)); });
       if (m_field.distance[m_mesh.source(3 * face + Index(k))] + length(p - m_frame.corner(k)) <= limit) add_corner(k);
     }
+  }
+
+  // Sets a face without windows.
+  void set_frame(Index face)
+  {
+    m_face = face;
+    m_frame = Face_frame<FT>(m_mesh, face);
+    m_size = m_frame.longest_edge();
+    m_windows.clear();
+    m_lowest.clear();
+    m_windows.reserve(16);
+    m_lowest.reserve(16);
   }
 
   Index face() const { return m_face; }
@@ -124,17 +136,6 @@ public:
   int preference(std::size_t i, const Point& p) const { return 2 * int(contains(i, p)) + int(!is_cap(i)); }
 
 private:
-  void start(Index face)
-  {
-    m_face = face;
-    m_frame = Face_frame<FT>(m_mesh, face);
-    m_size = m_frame.longest_edge();
-    m_windows.clear();
-    m_lowest.clear();
-    m_windows.reserve(16);
-    m_lowest.reserve(16);
-  }
-
   void add_local_windows()
   {
     const auto range = local_windows(m_initial, m_face);

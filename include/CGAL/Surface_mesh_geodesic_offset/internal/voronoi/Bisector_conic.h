@@ -10,6 +10,7 @@
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Voronoi_window.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -97,6 +98,14 @@ public:
   Point_with_distance<NT> at(NT t) const
   {
     return m_has_inverse ? m_c0 + t * m_c1 + (1 / t) * m_c2 : m_c0 + t * m_c1 + (t * t) * m_c2;
+  }
+
+  // A triangle that contains the arc between two parameters: both ends, and the common point of their tangents.
+  std::array<Point, 3> triangle_around(NT s, NT t) const
+  {
+    const Point_with_distance<NT> common =
+      m_has_inverse ? m_c0 + (2 * s * t / (s + t)) * m_c1 + (2 / (s + t)) * m_c2 : m_c0 + ((s + t) / 2) * m_c1 + (s * t) * m_c2;
+    return {at(s).point(), common.point(), at(t).point()};
   }
 
   // Tangent in the direction of increasing parameters, not normalized.

@@ -14,8 +14,10 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Voronoi_tolerances.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 #include <vector>
 
@@ -40,13 +42,42 @@ public:
   void operator()(const Voronoi_cell<NT>& cell, const std::vector<unsigned>& candidates, NT margin,
                   std::vector<Bisector_arc<NT>>& out) const
   {
+    std::vector<Distances_in_cell> distances;
+    for (const unsigned i : candidates) distances.emplace_back(m_windows[i], cell);
+    // A corner moves by up to `margin` over the sine of half its angle; distances are 1-Lipschitz.
+    const NT beyond = m_tolerances.slack * (2 + 4 * cell.diameter() / cell.least_height());
     for (std::size_t i = 0; i < candidates.size(); ++i)
       for (std::size_t j = 0; j < i; ++j)
-        if (m_windows[candidates[i]].label != m_windows[candidates[j]].label)
+        if (m_windows[candidates[i]].label != m_windows[candidates[j]].label && !distances[i].are_less(distances[j], beyond) &&
+            !distances[j].are_less(distances[i], beyond))
           add_arcs(cell, candidates, candidates[i], candidates[j], margin, out);
   }
 
 private:
+  // The distances of a window in a cell, were there no cone: convex, and below the linear interpolation of the corners by no more
+  // than `bend`, as their second derivatives are at most the inverse of the distance from the image.
+  struct Distances_in_cell
+  {
+    std::array<NT, 3> at_corner;
+    NT bend = 0;
+
+    Distances_in_cell(const Voronoi_window<NT>& w, const Voronoi_cell<NT>& cell)
+    {
+      for (int k = 0; k < 3; ++k) at_corner[std::size_t(k)] = w.distance_at(cell.corner[k]);
+      if (w.is_parallel()) return;
+      const NT radius = cell.radius(), to_image = length(cell.center() - w.image()) - radius;
+      bend = to_image > radius / 4 ? radius * radius / (2 * to_image) : 2 * radius;
+    }
+
+    // True if they are less than others by more than `margin`, everywhere in the cell.
+    bool are_less(const Distances_in_cell& other, NT margin) const
+    {
+      bool result = true;
+      for (std::size_t k = 0; k < 3; ++k) result = result && at_corner[k] + margin < other.at_corner[k] - other.bend;
+      return result;
+    }
+  };
+
   // Adds the parts of the bisector of two windows that belong to the diagram.
   void add_arcs(const Voronoi_cell<NT>& cell, const std::vector<unsigned>& candidates, unsigned a, unsigned b, NT margin,
                 std::vector<Bisector_arc<NT>>& out) const
@@ -79,17 +110,18 @@ private:
     const Voronoi_window<NT>&v = m_windows[a], &w = m_windows[b];
     Parameter_intervals<NT> parts(conic.lowest_parameter(), std::numeric_limits<NT>::infinity());
     const auto keep = [&](const Half_plane<NT>& h, NT m) {
-      parts.intersect(Parameter_intervals<NT>::not_positive(conic.along(Linear_form<NT>{h.n.x, h.n.y, 0, h.m + m})));
+      parts.keep_not_positive(conic.along(Linear_form<NT>{h.n.x, h.n.y, 0, h.m + m}));
       return !parts.is_empty();
     };
-    for (int k = 0; k < 3; ++k)
-      if (!keep(cell.outside(k), margin)) return;
     for (const Voronoi_window<NT>* const x : {&v, &w})
       for (int k = 0; k < x->number_of_bounds; ++k)
         if (!keep(x->bound[std::size_t(k)], m_tolerances.slack)) return;
+    for (int k = 0; k < 3; ++k)
+      if (!keep(cell.outside(k), margin)) return;
+    const std::array<Point, 3> around = conic.triangle_around(parts.begin()->begin, std::prev(parts.end())->end);
     for (const unsigned c : candidates)
     {
-      if (c == a || c == b) continue;
+      if (c == a || c == b || is_outside_cone(m_windows[c], around)) continue;
       subtract_nearer(conic, v, w, a, b, c, parts);
       if (parts.is_empty()) return;
     }
@@ -117,6 +149,14 @@ private:
       }
       out.push_back(arc(conic, a, b, p.begin, p.end, a_is_on_left));
     }
+  }
+
+  // True if one of the bounds of a cone separates it from a triangle.
+  bool is_outside_cone(const Voronoi_window<NT>& w, const std::array<Point, 3>& triangle) const
+  {
+    return std::any_of(w.bound.begin(), w.bound.begin() + w.number_of_bounds, [&](const Half_plane<NT>& h) {
+      return std::all_of(triangle.begin(), triangle.end(), [&](const Point& p) { return h.value(p) > m_tolerances.slack; });
+    });
   }
 
   // True if no window but `nearer`, whose cone ends at a ray, precedes window a at a point beyond this ray.
@@ -160,8 +200,14 @@ private:
                        unsigned b, unsigned c, Parameter_intervals<NT>& parts) const
   {
     const Voronoi_window<NT>& x = m_windows[c];
+    Parameter_intervals<NT> nearer = parts;
+    for (int k = 0; k < x.number_of_bounds && !nearer.is_empty(); ++k)
+    {
+      const Half_plane<NT>& h = x.bound[std::size_t(k)];
+      nearer.keep_not_positive(conic.along(Linear_form<NT>{h.n.x, h.n.y, 0, h.m + m_tolerances.slack}));
+    }
+    if (nearer.is_empty()) return;
     const bool like_v = is_same_function(v, x), like_w = !like_v && is_same_function(w, x);
-    Parameter_intervals<NT> nearer(conic.lowest_parameter(), std::numeric_limits<NT>::infinity());
     if (like_v || like_w)
     {
       const Voronoi_window<NT>& y = like_v ? v : w;
@@ -175,7 +221,7 @@ private:
       if (x.is_parallel())
       {
         const Point n = x.image();
-        nearer.intersect(Parameter_intervals<NT>::not_positive(conic.along(Linear_form<NT>{-n.x, -n.y, -1, -x.sigma() + tie})));
+        nearer.keep_not_positive(conic.along(Linear_form<NT>{-n.x, -n.y, -1, -x.sigma() + tie}));
       }
       else if (!v.is_parallel())
       { // (|p - x|^2 - (d - sigma)^2) / 2 <= tie (d - sigma), with |p - v|^2 = (d - sigma_v)^2
@@ -184,22 +230,16 @@ private:
         if (k >= length(to) + m_tolerances.tie) return; // nowhere nearer
         const Linear_form<NT> form{-to.x / size, -to.y / size, (k - tie) / size,
                                    ((k * (x.sigma() + v.sigma()) - dot(to, sum)) / 2 - tie * x.sigma()) / size};
-        nearer.intersect(Parameter_intervals<NT>::not_positive(conic.along(form)));
+        nearer.keep_not_positive(conic.along(form));
       }
       else
       {
         // relative to the nearest point of the line, which may be the image
         const NT t = conic.nearest_parameter(x.image());
         const Quadratic<NT> excess = conic.along_line(x.image(), x.sigma(), t, tie);
-        nearer.intersect(Parameter_intervals<NT>::not_positive(excess, t));
-        nearer.intersect(Parameter_intervals<NT>::not_positive(conic.along(Linear_form<NT>{0, 0, -1, -x.sigma()})));
+        nearer.keep_not_positive(excess, t);
+        nearer.keep_not_positive(conic.along(Linear_form<NT>{0, 0, -1, -x.sigma()}));
       }
-    }
-    for (int k = 0; k < x.number_of_bounds && !nearer.is_empty(); ++k)
-    {
-      const Half_plane<NT>& h = x.bound[std::size_t(k)];
-      nearer.intersect(
-        Parameter_intervals<NT>::not_positive(conic.along(Linear_form<NT>{h.n.x, h.n.y, 0, h.m + m_tolerances.slack})));
     }
     parts.subtract(nearer);
   }

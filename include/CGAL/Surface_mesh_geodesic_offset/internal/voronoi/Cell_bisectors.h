@@ -63,6 +63,17 @@ public:
     return false;
   }
 
+  // As connect(), but only with the usual tolerances: for cells with many windows, which the caller can divide.
+  template <class New_node, class OutputFunction>
+  bool connect_at_once(const Voronoi_cell<NT>& cell, const std::vector<unsigned>& candidates, const New_node& new_node,
+                       const OutputFunction& out)
+  {
+    m_tolerances.use_tie(1);
+    m_joint = m_tolerances.joint;
+    m_has_loose_joints = false;
+    return connect(cell, candidates, m_tolerances.slack, false, new_node, out);
+  }
+
   // Adds the arcs of all pairs of windows in a cell, whether they fit together or not.
   void find_arcs(const Voronoi_cell<NT>& cell, const std::vector<unsigned>& candidates, std::vector<Bisector_arc<NT>>& arcs)
   {

@@ -31,7 +31,7 @@ public:
   typedef Point_in_face<NT> Point;
 
   Face_bisectors(const Unfolded_mesh<FT>& mesh, const Initial_windows<FT>& initial, const Geodesic_field<FT>& field)
-    : m_mesh(mesh), m_results(field), m_labels(mesh, initial, field), m_field(mesh, initial, field)
+    : m_mesh(mesh), m_initial(initial), m_results(field), m_labels(mesh, initial, field), m_field(mesh, initial, field)
   {
   }
 
@@ -39,7 +39,7 @@ public:
   // neighbours may be connected.
   bool set_face(Index face)
   {
-    m_field.set_face(face);
+    m_field.set_frame(face);
     m_windows.clear();
     m_all.clear();
     m_tolerances = Voronoi_tolerances<NT>(number_cast<NT>(m_field.size()));
@@ -50,11 +50,9 @@ public:
       m_cell.direction[k] = rounded(m_field.frame().direction(k));
       m_cell.label[k] = m_labels.of_vertex(m_mesh.source(3 * face + Index(k)));
     }
-    const Index label = m_cell.label[0];
-    bool has_one_label = m_cell.label[1] == label && m_cell.label[2] == label;
-    for (const auto& w : m_field.windows()) has_one_label = has_one_label && m_labels.of_window(w) == label;
-    if (has_one_label) return false;
+    if (has_one_label()) return false;
 
+    m_field.set_face(face);
     for (const auto& w : m_field.windows()) add(w);
     meet_neighbours();
     for (const auto& w : m_field.windows())
@@ -139,12 +137,21 @@ public:
         inside.size() > Voronoi_tolerances<NT>::most_windows && is_divisible &&
         part.divisions_in_vain < Voronoi_tolerances<NT>::most_divisions_in_vain &&
         divisions_for_windows < Voronoi_tolerances<NT>::most_divisions_for_windows * m_all.size();
-      if (has_many_windows) ++divisions_for_windows;
+      m_arcs.clear();
+      const auto add = [&](const Bisector_arc<NT>& a) { m_arcs.push_back(a); };
+      if (has_many_windows)
+      {
+        if (inside.size() <= Voronoi_tolerances<NT>::most_windows_at_once &&
+            bisectors.connect_at_once(part.cell, inside, new_node, add))
+        {
+          std::for_each(m_arcs.begin(), m_arcs.end(), write);
+          continue;
+        }
+        ++divisions_for_windows;
+      }
       else
       {
-        m_arcs.clear();
-        const bool fits =
-          bisectors.connect(part.cell, inside, new_node, [&](const Bisector_arc<NT>& a) { m_arcs.push_back(a); });
+        const bool fits = bisectors.connect(part.cell, inside, new_node, add);
         const auto holds_along = [&](const Bisector_arc<NT>& a) {
           return links.is_verified(a, part.near, bisectors.has_wide_joints());
         };
@@ -202,6 +209,17 @@ private:
     part.diameter = part.cell.diameter();
     m_pending.push_back(std::move(part));
     std::push_heap(m_pending.begin(), m_pending.end(), is_smaller);
+  }
+
+  // True if all windows and all corners of the face have one label. A window behind a corner has the label of the corner.
+  bool has_one_label() const
+  {
+    bool result = m_cell.label[1] == m_cell.label[0] && m_cell.label[2] == m_cell.label[0];
+    const auto check = [&](const auto& w) { result = result && m_labels.of_window(w) == m_cell.label[0]; };
+    const auto local = local_windows(m_initial, m_field.face());
+    std::for_each(local.first, local.second, [&](const auto& l) { check(l.window); });
+    for (Index h = 3 * m_field.face(); result && h < 3 * m_field.face() + 3; ++h) m_results.for_each_window(m_mesh, h, check);
+    return result;
   }
 
   static Point rounded(const Point_in_face<FT>& p) { return {number_cast<NT>(p.x), number_cast<NT>(p.y)}; }
@@ -374,6 +392,7 @@ private:
   }
 
   const Unfolded_mesh<FT>& m_mesh;
+  const Initial_windows<FT>& m_initial;
   const Geodesic_field<FT>& m_results;
   const Source_labels<FT> m_labels;
   Face_field<FT> m_field;

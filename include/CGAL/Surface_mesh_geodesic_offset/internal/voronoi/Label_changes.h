@@ -94,9 +94,23 @@ private:
 
     NT distance_from(Index label, NT t) const { return least_distance_from(label, windows, all, o + t * u, tolerances.slack); }
 
-    bool is_nearest(Index label, NT t, NT tie) const
+    // True only if the source of a window is nearest up to `tie`; distances without cones suffice for most other windows.
+    bool is_certainly_nearest(unsigned window, NT t, NT tie) const
     {
-      return Nearest_windows<NT>(label, windows, all, o + t * u, tolerances.slack).label_is_nearest(tie);
+      const Point p = o + t * u;
+      bool is_straight;
+      const NT d = distance_through(windows[window], p, tolerances.slack, is_straight);
+      return std::all_of(all.begin(), all.end(), [&](unsigned i) {
+        const Voronoi_window<NT>& w = windows[i];
+        return w.label == windows[window].label || d <= w.distance_at(p) + tie / 2 || // rounding is less than half a tie
+               d <= distance_through(w, p, tolerances.slack, is_straight) + tie;
+      });
+    }
+
+    bool is_nearest(unsigned window, NT t, NT tie) const
+    {
+      return is_certainly_nearest(window, t, tie) ||
+             Nearest_windows<NT>(windows[window].label, windows, all, o + t * u, tolerances.slack).label_is_nearest(tie);
     }
 
     // The label of the nearest source; of several that tie, the preferred one.
@@ -127,7 +141,8 @@ private:
   {
     m_samples.clear();
     const auto add = [&](NT t, const Piece& p) {
-      const Index label = segment.label_at(t, p.label);
+      const bool is_certain = segment.is_certainly_nearest(p.number, t, segment.tolerances.loose_tie);
+      const Index label = is_certain ? p.label : segment.label_at(t, p.label);
       m_samples.push_back({t, label, label == p.label ? p.number : none});
     };
     for (std::size_t i = 0; i < m_pieces.size(); ++i)
@@ -178,14 +193,16 @@ private:
     Bisector_conic<NT> conic;
     if (!conic.make(v.is_parallel() ? w : v, v.is_parallel() ? v : w, tie, center)) return change.t;
     NT result = change.t, nearest = std::numeric_limits<NT>::infinity();
-    for (const auto& i : Parameter_intervals<NT>::not_positive(conic.along(Linear_form<NT>{n.x, n.y, 0, dot(n, segment.o)})))
+    Parameter_intervals<NT> below(-nearest, nearest);
+    below.keep_not_positive(conic.along(Linear_form<NT>{n.x, n.y, 0, dot(n, segment.o)}));
+    for (const auto& i : below)
       for (const NT parameter : {i.begin, i.end})
       {
         if (!is_finite(parameter) || !(parameter > conic.lowest_parameter())) continue;
         const Point p = conic.at(parameter).point();
         const NT t = dot(p - segment.o, segment.u), gap = CGAL::abs(t - change.t);
         if (!(low < t && t < high && gap < nearest) || !v.holds_at(p, slack) || !w.holds_at(p, slack)) continue;
-        const auto tie_at = [&](NT s) { return segment.is_nearest(v.label, s, tie) && segment.is_nearest(w.label, s, tie); };
+        const auto tie_at = [&](NT s) { return segment.is_nearest(a, s, tie) && segment.is_nearest(b, s, tie); };
         const bool tie_between = std::all_of(m_samples.begin(), m_samples.end(), [&](const Sample& s) {
           return (s.t <= t) == (s.t <= change.t) || tie_at(s.t);
         });
@@ -244,17 +261,13 @@ private:
     in_segment.sigma = w.is_parallel() ? w.distance_at(o) : w.sigma();
     in_segment.bits = Window<NT>::make_bits(w.is_parallel(), no_index);
     m_new.clear();
+    const auto first = std::partition_point(m_pieces.begin(), m_pieces.end(), [&](const Piece& p) { return p.end <= begin; });
     NT at = begin;
-    for (const Piece& p : m_pieces)
+    auto last = first;
+    for (; last != m_pieces.end() && last->begin < end; ++last)
     {
+      const Piece& p = *last;
       const NT low = (std::max)(p.begin, begin), high = (std::min)(p.end, end);
-      if (!(low < high))
-      {
-        if (p.begin >= end) put(at, end, w.label, number, in_segment); // fills a gap before p
-        if (p.begin >= end) at = end;
-        put(p.begin, p.end, p.label, p.number, p.window);
-        continue;
-      }
       put(at, low, w.label, number, in_segment);
       put(p.begin, low, p.label, p.number, p.window);
       compare(low, high, p, w.label, number, in_segment, tolerances.tie);
@@ -262,12 +275,24 @@ private:
       at = high;
     }
     put(at, end, w.label, number, in_segment);
-    m_pieces.swap(m_new);
+    m_pieces.insert(m_pieces.erase(first, last), m_new.begin(), m_new.end());
   }
 
   // Puts the parts of two windows on a common interval.
   void compare(NT low, NT high, const Piece& p, Index label, unsigned number, const Window<NT>& window, NT tie)
   {
+    const Distances traits{tie};
+    const Bisector_crossing<Distances> crossing(traits, p.window, window);
+    const auto lead = [&](NT t) { return crossing.at(window, t) - crossing.at(p.window, t); }; // of p; 2-Lipschitz
+    const NT at_low = lead(low);
+    const auto has_sign_of_low = [&](NT at_high) { return CGAL::abs(at_high) > tie && (at_high > 0) == (at_low > 0); };
+    if (CGAL::abs(at_low) > tie + 2 * (high - low) ||
+        (CGAL::abs(at_low) > tie && has_sign_of_low(lead(high)) && !crossing.may_cross_twice(low, high)))
+    {
+      if (at_low > 0) put(low, high, p.label, p.number, p.window);
+      else put(low, high, label, number, window);
+      return;
+    }
     const bool is_first = p.label <= label;
     Piece a = p, b = p;
     (is_first ? b : a).window = window;
@@ -280,7 +305,6 @@ private:
       w->d0 = w->distance_at(low);
       w->d1 = w->distance_at(high);
     }
-    const Distances traits{tie};
     const Window_bisector<Distances> bisector(traits, a.window, b.window);
     bool a_is_nearer = bisector.first_is_nearer();
     NT at = low;
@@ -298,7 +322,7 @@ private:
     if (begin < end) m_new.push_back({begin, end, label, number, window});
   }
 
-  std::vector<Piece> m_pieces, m_new; // by increasing position
+  std::vector<Piece> m_pieces, m_new; // by increasing position; new pieces in the interval of a window
   std::vector<Sample> m_samples;
   std::vector<Change> m_changes;
 };

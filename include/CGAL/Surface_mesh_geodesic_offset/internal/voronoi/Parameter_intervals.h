@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <utility>
 
@@ -28,83 +29,73 @@ public:
     NT begin, end;
   };
 
-  Parameter_intervals(NT begin, NT end) { add(begin, end); }
-
-  // The numbers t where a quadratic polynomial in t - shift is not positive.
-  static Parameter_intervals<NT> not_positive(const Quadratic<NT>& q, NT shift = 0)
+  Parameter_intervals(NT begin, NT end)
   {
-    const NT infinity = std::numeric_limits<NT>::infinity();
-    Parameter_intervals<NT> result;
+    if (begin < end) m_intervals.push_back({begin, end});
+  }
+
+  // Keeps the numbers t where a quadratic polynomial in t - shift is not positive.
+  void keep_not_positive(const Quadratic<NT>& q, NT shift = 0)
+  {
     if (q.q2 == 0)
     {
       if (q.q1 == 0)
       {
-        if (q.q0 <= 0) result.add(-infinity, infinity);
+        if (!(q.q0 <= 0)) m_intervals.clear();
       }
-      else if (q.q1 > 0) result.add(-infinity, shift - q.q0 / q.q1);
-      else result.add(shift - q.q0 / q.q1, infinity);
-      return result;
+      else if (q.q1 > 0) keep(-infinity, shift - q.q0 / q.q1);
+      else keep(shift - q.q0 / q.q1, infinity);
+      return;
     }
     const NT discriminant = q.q1 * q.q1 - 4 * q.q2 * q.q0;
     if (!(discriminant > 0))
     {
-      if (q.q2 < 0) result.add(-infinity, infinity);
-      return result;
+      if (!(q.q2 < 0)) m_intervals.clear();
+      return;
     }
     const NT root = square_root<NT>(discriminant);
     const NT s = -(q.q1 + (q.q1 < NT(0) ? -root : root)) / NT(2); // without cancellation
     NT r = shift + s / q.q2, t = shift + q.q0 / s;
     if (t < r) std::swap(r, t);
-    if (q.q2 > 0) result.add(r, t);
-    else
-    {
-      result.add(-infinity, r);
-      result.add(t, infinity);
-    }
-    return result;
+    if (q.q2 > 0) keep(r, t);
+    else subtract(r, t);
   }
 
   bool is_empty() const { return m_intervals.empty(); }
   auto begin() const { return m_intervals.begin(); }
   auto end() const { return m_intervals.end(); }
 
-  void intersect(const Parameter_intervals<NT>& other)
-  {
-    Intervals result;
-    for (const Interval& i : m_intervals)
-      for (const Interval& j : other.m_intervals)
-      {
-        const Interval k{(std::max)(i.begin, j.begin), (std::min)(i.end, j.end)};
-        if (k.begin < k.end) result.push_back(k);
-      }
-    m_intervals.swap(result);
-  }
-
   void subtract(const Parameter_intervals<NT>& other)
   {
-    for (const Interval& j : other.m_intervals)
-    {
-      Intervals result;
-      for (const Interval& i : m_intervals)
-      {
-        if (i.begin < (std::min)(i.end, j.begin)) result.push_back({i.begin, (std::min)(i.end, j.begin)});
-        if ((std::max)(i.begin, j.end) < i.end) result.push_back({(std::max)(i.begin, j.end), i.end});
-      }
-      m_intervals.swap(result);
-    }
+    for (const Interval& j : other.m_intervals) subtract(j.begin, j.end);
   }
 
 private:
-  typedef boost::container::small_vector<Interval, 4> Intervals;
+  static constexpr NT infinity = std::numeric_limits<NT>::infinity();
 
-  Parameter_intervals() = default;
-
-  void add(NT begin, NT end)
+  void keep(NT begin, NT end)
   {
-    if (begin < end) m_intervals.push_back({begin, end});
+    auto out = m_intervals.begin();
+    for (const Interval& i : m_intervals)
+    {
+      const Interval part{(std::max)(i.begin, begin), (std::min)(i.end, end)};
+      if (part.begin < part.end) *out++ = part;
+    }
+    m_intervals.erase(out, m_intervals.end());
   }
 
-  Intervals m_intervals; // in order
+  void subtract(NT begin, NT end)
+  {
+    for (std::size_t n = m_intervals.size(); n-- > 0;)
+    {
+      const Interval i = m_intervals[n], before{i.begin, (std::min)(i.end, begin)}, behind{(std::max)(i.begin, end), i.end};
+      const auto at = m_intervals.erase(m_intervals.begin() + std::ptrdiff_t(n));
+      if (behind.begin < behind.end) m_intervals.insert(at, behind);
+      if (before.begin < before.end) m_intervals.insert(m_intervals.begin() + std::ptrdiff_t(n), before);
+    }
+  }
+
+  boost::container::small_vector<Interval, 4> m_intervals; // in order
 };
 
 } // namespace CGAL::Geodesic_offset::internal

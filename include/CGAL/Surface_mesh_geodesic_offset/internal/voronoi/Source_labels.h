@@ -63,7 +63,8 @@ public:
   }
 
   // A window behind a pseudo-source has the label of this vertex, also if several sources are equally near to it.
-  Index of_window(const Face_window<FT>& w) const
+  template <class Window>
+  Index of_window(const Window& w) const
   {
     const Index v = w.pseudo_source();
     return v == no_index || Merge_error_code::is_merged(v) ? m_label[w.source_ref.primitive()] : of_vertex(v);

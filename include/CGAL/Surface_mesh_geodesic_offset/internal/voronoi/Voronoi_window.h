@@ -92,13 +92,12 @@ struct Voronoi_window
     return size > 0 ? (1 / size) * d : Point{0, 0};
   }
 
-  // Lower bound of the distances in a disk: any path starts at the chord, or beside its ends as far as the rays hold there, or
-  // at the image.
+  // Lower bound of the distances in a disk, as they are 1-Lipschitz: from the path to its center, through the chord or beside its
+  // ends as far as the rays hold there. The center may be behind a source, where a strip has no path.
   NT lower_bound(const Point& center, NT radius) const
   {
     const NT beyond = (std::max)(tied[0] + length(end[0] - rays.left), tied[1] + length(end[1] - rays.right));
-    const NT from_start = start + (starts_at_image() ? length(center - image()) : distance_from_chord(center)) - radius;
-    return (is_strip() ? from_start : (std::max)(from_start, rays.path_length(center) - radius)) - beyond;
+    return (is_strip() ? start + distance_from_chord(center) : rays.path_length(center)) - radius - beyond;
   }
 
   // Where the left (0) or the right (1) bounding ray starts in the face.

@@ -56,10 +56,7 @@ struct Face_window
   // True for a cone without extent. The chord of an open cone may have none, next to the image.
   bool is_empty() const { return left.x == right.x && left.y == right.y && !CGAL::is_positive(cross(right_ray(), left_ray())); }
 
-  FT distance_at(const Point& p) const
-  {
-    return with_rays([&](const auto& rays) { return rays.distance_at(p); });
-  }
+  FT distance_at(const Point& p) const { return Rays_through_chord<FT>::distance(image(), is_parallel(), sigma, p); }
 
   // See Rays_through_chord.
   FT left_side(const Point& p) const

@@ -30,7 +30,12 @@ struct Rays_through_chord
   // Direction of the ray through p, not normalized.
   Point direction(const Point& p) const { return is_parallel ? Point{-image.x, -image.y} : p - image; }
 
-  FT distance_at(const Point& p) const { return is_parallel ? FT(sigma - dot(image, p)) : FT(sigma + length(p - image)); }
+  FT distance_at(const Point& p) const { return distance(image, is_parallel, sigma, p); }
+
+  static FT distance(const Point& image, bool is_parallel, const FT& sigma, const Point& p)
+  {
+    return is_parallel ? FT(sigma - dot(image, p)) : FT(sigma + length(p - image));
+  }
 
   // Cross product of the direction of a bounding ray with the vector from a point of the ray to p. A ray reaches p if the value is
   // at most 0 for the left and at least 0 for the right bounding ray.
