@@ -236,6 +236,7 @@ def main(arguments):
     if hard:
         write_hard_meshes(out, hard)
     write_markdown_of(out, os.path.join(tables, "flat_meshes.md"), "Flat meshes, against closed forms")
+    write_markdown_of(out, os.path.join(tables, "scaling.md"), "Growth of time with the answer")
     write_markdown_of(out, os.path.join(tables, "window_counts.md"), "Windows and memory, against the lower envelope")
     write_markdown_of(out, os.path.join(tables, "point_source_against_smsp.md"), "One point, against SMSP")
     write_markdown_of(out, os.path.join(tables, "bounded_error.md"), "Windows within a tolerance")

@@ -36,7 +36,7 @@ done
 data=${GEODESIC_OFFSET_DATA_DIR:-$root/build-tests/data/meshes}
 cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release \
   -DGEODESIC_OFFSET_BUILD_TESTING=OFF -DGEODESIC_OFFSET_BUILD_EXAMPLES=OFF -DGEODESIC_OFFSET_BUILD_BENCHMARK=ON
-cmake --build "$build" -j "$jobs" --target size_ladder peers hard_meshes flat_meshes bounded_error tolerance_times tolerance_bounds tolerance_offsets certified_bounds \
+cmake --build "$build" -j "$jobs" --target size_ladder scaling peers hard_meshes flat_meshes bounded_error tolerance_times tolerance_bounds tolerance_offsets certified_bounds \
   window_counts point_source_against_smsp parallel
 
 bin=$build/bin
@@ -78,6 +78,7 @@ else
   run hard_meshes.tsv "$bin/hard_meshes"
 fi
 run parallel.md "$bin/parallel" --runs 3 ${meshes[@]+"${meshes[@]}"}
+run scaling.md "$bin/scaling"
 run size_ladder.tsv "$bin/size_ladder" --limit "$limit"
 
 export PYTHONDONTWRITEBYTECODE=1

@@ -15,6 +15,10 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Initial_windows.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Interval_filter.h>
 
+#include <CGAL/Iterator_range.h>
+
+#include <boost/iterator/counting_iterator.hpp>
+
 #include <algorithm>
 #include <vector>
 
@@ -105,18 +109,21 @@ public:
   // distance.
   FT distance(const Point& p, std::size_t& nearest) const
   {
-    return distance(p, nearest, [](const Window_in_face&) { return true; });
+    return distance(p, nearest,
+                    CGAL::make_range(boost::counting_iterator<std::size_t>(0),
+                                     boost::counting_iterator<std::size_t>(m_windows.size())));
   }
 
-  // Overload for the windows w with counts(w).
-  template <class Predicate>
-  FT distance(const Point& p, std::size_t& nearest, const Predicate& counts) const
+  // Overload for some windows, given by their indices in ascending order.
+  template <class Indices>
+  FT distance(const Point& p, std::size_t& nearest, const Indices& indices) const
   {
     FT best = Number_policy<FT>::infinity();
     nearest = m_windows.size();
-    for (std::size_t i = 0; i < m_windows.size(); ++i)
+    for (const std::size_t i : indices)
     {
-      if (!(m_lowest[i] <= best) || !counts(m_windows[i])) continue;
+      if (!(i < m_windows.size())) break;
+      if (!(m_lowest[i] <= best)) continue;
       const FT d = m_windows[i].path_length(p);
       if (!Number_policy<FT>::is_finite(d)) continue;
       const bool ties = Number_policy<FT>::is_finite(best) && tie(d, best);

@@ -16,6 +16,8 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/field/Face_field.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Box_in_face.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Level_arc.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Level_candidates.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Level_cell.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Offset_sources.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Offset_tolerances.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Window_cone.h>
@@ -56,7 +58,7 @@ public:
       if (w.is_empty()) continue;
       const FT bound = (std::max)(w.distance_at(w.left), w.distance_at(w.right)) + field.size() + m_margin;
       if (field.lowest(i) < highest_level + m_margin && bound >= lowest_level)
-        m_cones.emplace_back(w, field.lowest(i), field.frame(), m_margin);
+        m_cones.emplace_back(w, Index(i), field.lowest(i), field.frame(), m_margin);
     }
   }
 
@@ -67,8 +69,12 @@ public:
     m_has_fans = false;
     m_arcs.clear();
     m_boxes.clear();
+    m_arc_of.assign(m_field->windows().size(), none);
     for (const Cone& c : m_cones) add_arc(c);
-    m_boxes.build();
+    m_candidates.clear();
+    for (Index i = 0; i < m_arc_of.size(); ++i)
+      if (m_field->lowest(i) < m_level + slack() && has_offset(m_field->windows()[i])) m_candidates.push_back(i);
+    find_candidates();
   }
 
   // Adds fans: windows of the paths that bend at a corner, in all directions. They close gaps between the cone of the corner and
@@ -79,9 +85,11 @@ public:
     if (m_fans.empty()) make_fans();
     m_has_fans = true;
     m_first_fan = m_arcs.size();
-    m_boxes.pop_tree(m_arcs.size());
+    m_arc_of.resize(m_field->windows().size() + m_fans.size(), none);
     for (const Cone& c : m_fan_cones) add_arc(c);
-    m_boxes.build();
+    for (Index i = Index(m_field->windows().size()); i < m_arc_of.size(); ++i)
+      if (m_arc_of[i] != none) m_candidates.push_back(i);
+    find_candidates();
   }
   bool has_fans() const { return m_has_fans; }
   bool is_fan(std::size_t i) const { return m_has_fans && i >= m_first_fan; }
@@ -111,7 +119,15 @@ public:
   // Distance of p to the sources that have an offset, and a window that attains it.
   FT distance(const Point& p, std::size_t& nearest) const
   {
-    return m_field->distance(p, nearest, [this](const Face_window<FT>& w) { return this->has_offset(w); });
+    const auto at_p = m_candidates.at(p);
+    return m_field->distance(p, nearest, at_p.empty() ? m_candidates.all() : at_p);
+  }
+
+  // True if the distance of p, up to `error`, is less than the level by more than the tolerance `tie`.
+  bool is_near(const Point& p, const FT& error) const
+  {
+    std::size_t nearest;
+    return m_candidates.is_near(p) || distance(p, nearest) + error < m_level - m_tolerances.tie;
   }
 
   const Face_field<FT>& field() const { return *m_field; }
@@ -137,35 +153,51 @@ public:
   template <class Function>
   void for_each_through(const Point& p, std::size_t without, const Function& f) const
   {
-    m_boxes.any_of(Box(p), [&](std::size_t i) {
-      if (i != without && passes(i, p)) f(i);
-      return false;
-    });
+    const Box box(p);
+    for (const Index w : m_candidates.at(p))
+      if (const std::size_t i = m_arc_of[w]; i != none && i != without && m_boxes[i].meets(box) && passes(i, p)) f(i);
   }
 
   // Calls f(j) for the arcs other than i that may meet it.
   template <class Function>
   void for_each_near(std::size_t i, const Function& f) const
   {
-    m_boxes.any_of(m_boxes[i], [&](std::size_t j) {
-      if (j != i) f(j);
-      return false;
-    });
+    find_near(i, m_boxes[i]);
+    for (const std::size_t j : m_near) f(j);
   }
 
-  // Moves `to` to the first covered point of arc i between `from` and `to`. Returns false if there is none.
+  // Sets `arcs` to those that may have visible parts in a cell.
+  void find_arcs(const Level_cell<FT>& cell, std::vector<std::size_t>& arcs) const
+  {
+    Box box(cell.corner[0]);
+    box.add(cell.corner[1]);
+    box.add(cell.corner[2]);
+    find_near(box, none, [](const Point&, const FT&) { return true; });
+    arcs = m_near;
+  }
+
+  // Moves `to` to the first covered point of arc i between `from` and `to`. Returns false if there is none. Most covered points
+  // are next to `from`, so parts that grow from there are searched one after the other.
   bool find_covered(std::size_t i, const Point& from, Point& to) const
   {
     const Arc& a = m_arcs[i];
-    Box box(from);
-    box.add(to);
-    box.widen(a.rise(from, to));
-    box.intersect(m_boxes[i]);
+    m_ends.assign(1, to);
+    if (!m_candidates.is_whole())
+      for (const FT shortest = FT(2) * m_candidates.radius_at(from); length(m_ends.back() - from) > shortest;)
+        m_ends.push_back(a.middle(from, m_ends.back()));
     bool found = false;
-    m_boxes.any_of(box, [&](std::size_t j) {
-      if (j != i && find_covered_by(a, m_arcs[j], from, to)) found = true;
-      return false;
-    });
+    while (!m_ends.empty())
+    {
+      const Point end = found && CGAL::is_positive(a.advance(to, m_ends.back())) ? to : m_ends.back();
+      m_ends.pop_back();
+      Box box(from);
+      box.add(end);
+      box.widen(a.rise(from, end));
+      box.intersect(m_boxes[i]);
+      find_near(i, box);
+      for (const std::size_t j : m_near) found = find_covered_by(a, m_arcs[j], from, to) || found;
+      if (found && !CGAL::is_positive(a.advance(end, to))) return true;
+    }
     return found;
   }
 
@@ -173,11 +205,12 @@ private:
   struct Cone
   {
     const Face_window<FT>* window;
-    FT lowest; // distance
+    Index index; // of the window; those of fans come after those of the field
+    FT lowest;   // distance
     Window_cone<FT> cone;
 
-    Cone(const Face_window<FT>& w, const FT& lowest_distance, const Face_frame<FT>& frame, const FT& margin)
-      : window(&w), lowest(lowest_distance), cone(w, frame, margin)
+    Cone(const Face_window<FT>& w, Index i, const FT& lowest_distance, const Face_frame<FT>& frame, const FT& margin)
+      : window(&w), index(i), lowest(lowest_distance), cone(w, frame, margin)
     {
     }
   };
@@ -192,6 +225,7 @@ private:
     const Arc arc(*c.window, c.cone, m_level);
     const Box box = arc.box(m_margin);
     if (box.is_empty()) return;
+    m_arc_of[c.index] = m_arcs.size();
     m_arcs.push_back(arc);
     m_boxes.push_back(box);
   }
@@ -207,7 +241,50 @@ private:
       fan.right = w.image() + along;
       m_fans.push_back(fan);
     }
-    for (const Face_window<FT>& w : m_fans) m_fan_cones.emplace_back(w, w.sigma, m_field->frame(), m_margin);
+    for (const Face_window<FT>& w : m_fans)
+      m_fan_cones.emplace_back(w, Index(m_field->windows().size() + m_fan_cones.size()), w.sigma, m_field->frame(), m_margin);
+  }
+
+  // Differences of distances of windows whose arcs pass one point, up to the largest tie, are less than this.
+  FT slack() const { return FT(2) * m_margin; }
+
+  void find_candidates()
+  {
+    const std::size_t n = m_field->windows().size();
+    m_is_near.assign(m_arcs.size(), 0);
+    m_candidates.build(m_field->frame(), m_level, slack(), [this, n](Index i) -> const Face_window<FT>& {
+      return i < n ? this->m_field->windows()[i] : this->m_fans[i - n];
+    });
+  }
+
+  // Sets m_near to the arcs other than i that may meet its part in a box.
+  void find_near(std::size_t i, const Box& box) const
+  {
+    find_near(box, i, [&](const Point& center, const FT& radius) { return CGAL::abs(m_arcs[i].excess(center)) <= radius; });
+  }
+
+  // Overload for the arcs other than `without` near a set, in a box: meets(center, radius) is true for circles that may meet it.
+  template <class Meets>
+  void find_near(const Box& box, std::size_t without, const Meets& meets) const
+  {
+    m_near.clear();
+    std::size_t parts = 0;
+    const auto meets_in_box = [&](const Point& center, const FT& radius) {
+      Box around(center);
+      around.widen(radius);
+      return around.meets(box) && meets(center, radius);
+    };
+    m_candidates.for_each_part(meets_in_box, [&](const auto& windows) {
+      ++parts;
+      for (const Index w : windows)
+        if (const std::size_t j = m_arc_of[w]; j != none && j != without && !m_is_near[j] && m_boxes[j].meets(box))
+        {
+          m_near.push_back(j);
+          m_is_near[j] = 1;
+        }
+    });
+    for (const std::size_t j : m_near) m_is_near[j] = 0;
+    if (parts > 1) std::sort(m_near.begin(), m_near.end());
   }
 
   // True if p is covered by the window of b. If the image is a point of the face, straight paths from it to all points of the
@@ -297,9 +374,15 @@ private:
   std::vector<Face_window<FT>> m_fans;
   std::vector<Cone> m_fan_cones;
   bool m_has_fans = false;
-  std::size_t m_first_fan = 0; // first arc of a fan
-  std::vector<Arc> m_arcs;     // of the level
-  Box_tree<FT> m_boxes;        // of the arcs
+  std::size_t m_first_fan = 0;       // first arc of a fan
+  std::vector<Arc> m_arcs;           // of the level
+  std::vector<Box> m_boxes;          // of the arcs
+  std::vector<std::size_t> m_arc_of; // per window
+  Level_candidates<FT> m_candidates;
+  // Of one call:
+  mutable std::vector<std::size_t> m_near;
+  mutable std::vector<char> m_is_near; // per arc; not set between calls
+  mutable std::vector<Point> m_ends;   // of parts of an arc, the longest first
 };
 
 } // namespace CGAL::Geodesic_offset::internal

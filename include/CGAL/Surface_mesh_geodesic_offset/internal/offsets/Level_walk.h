@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Geodesic_offset::internal {
@@ -62,9 +63,9 @@ public:
   bool operator()(const Cell& cell, bool search_loops)
   {
     m_cell = &cell;
-    m_is_used.assign(cell.gates.size(), 0);
-    m_followed.clear();
-    m_last_followed.assign(m_arcs.size(), none);
+    find_gates();
+    forget_followed(0);
+    if (m_followed_of.size() < m_arcs.size()) m_followed_of.resize(m_arcs.size());
     for (std::size_t i = 0; i < cell.gates.size(); ++i)
       if (cell.gates[i].is_start && !walk_from_gate(i)) return false;
     return !search_loops || walk_loops();
@@ -85,6 +86,17 @@ private:
     bool leaves = false; // the run ends at a side of the cell without a gate
     bool is_valid() const { return arc != none; }
   };
+
+  // Sets m_gates to the arcs that pass the gates where chains end.
+  void find_gates()
+  {
+    m_is_used.assign(m_cell->gates.size(), 0);
+    m_gates.clear();
+    for (std::size_t g = 0; g < m_cell->gates.size(); ++g)
+      if (const Gate& gate = m_cell->gates[g]; !gate.is_start)
+        m_arcs.for_each_through(gate.point, none, [&](std::size_t i) { m_gates.emplace_back(i, g); });
+    std::sort(m_gates.begin(), m_gates.end());
+  }
 
   bool walk_from_gate(std::size_t gate)
   {
@@ -111,8 +123,7 @@ private:
   // Adds a piece to the chain whose pieces begin at `first`.
   void add_piece(const Run& run, std::size_t first)
   {
-    m_followed.push_back({run.start, run.end, run.arc, m_last_followed[run.arc]});
-    m_last_followed[run.arc] = m_followed.size() - 1;
+    follow(run);
     if (m_pieces.size() > first) m_pieces.back().end = run.start;
     m_pieces.push_back(piece_through(m_arcs[run.arc].window(), m_arcs[run.arc].radius(), run.start, run.end,
                                      m_arcs.field().face()));
@@ -129,10 +140,12 @@ private:
     FT farthest = a.advance(start, run.end);
     // A gate up to `nearest` is at the start of the run: another chain leaves the cell through it.
     FT nearest = -(is_first ? tolerance.error : tolerance.tie);
-    for (std::size_t g = 0; g < m_cell->gates.size(); ++g)
+    for (auto it = std::lower_bound(m_gates.begin(), m_gates.end(), std::make_pair(i, std::size_t(0)));
+         it != m_gates.end() && it->first == i; ++it)
     {
+      const std::size_t g = it->second;
       const Gate& gate = m_cell->gates[g];
-      if (gate.is_start || m_is_used[g] || !m_arcs.passes(i, gate.point)) continue;
+      if (m_is_used[g]) continue;
       const FT way = a.advance(start, gate.point);
       if (way < nearest || (run.gate != none && !(way < farthest))) continue;
       if (run.gate == none && !a.is_between(start, gate.point, run.end) && farthest + tolerance.tie < way) continue;
@@ -220,7 +233,8 @@ private:
   // consecutive such points is tested.
   bool walk_loops()
   {
-    for (std::size_t i = 0; i < m_arcs.size(); ++i)
+    m_arcs.find_arcs(*m_cell, m_arcs_of_cell);
+    for (const std::size_t i : m_arcs_of_cell)
     {
       const Arc& a = m_arcs[i];
       m_events.clear();
@@ -318,14 +332,16 @@ private:
       const FT missing = error - m_cell->height(k, inside);
       if (CGAL::is_positive(missing)) inside = inside + missing * m_cell->inwards(k);
     }
-    std::size_t nearest;
-    return m_arcs.distance(inside, nearest) + length(inside - p) < m_arcs.level() - m_arcs.tolerances().tie;
+    return m_arcs.is_near(inside, length(inside - p));
   }
 
   void forget_followed(std::size_t first)
   {
     for (; m_followed.size() > first; m_followed.pop_back())
-      m_last_followed[m_followed.back().arc] = m_followed.back().previous;
+    {
+      std::vector<std::size_t>& parts = m_followed_of[m_followed.back().arc];
+      parts.erase(std::find(parts.begin(), parts.end(), m_followed.size() - 1));
+    }
   }
 
   // True if all pieces of the loop start within a tie of the first one.
@@ -351,34 +367,71 @@ private:
   struct Followed
   {
     Point start, end;
-    std::size_t arc, previous; // of the same arc
+    FT from, to; // advance of start and end from the start of the arc
+    std::size_t arc;
   };
+
+  void follow(const Run& run)
+  {
+    const Arc& a = m_arcs[run.arc];
+    m_followed.push_back({run.start, run.end, a.advance(a.start(), run.start), a.advance(a.start(), run.end), run.arc});
+    std::vector<std::size_t>& parts = m_followed_of[run.arc];
+    parts.insert(first_beyond(parts, m_followed.back().from), m_followed.size() - 1);
+  }
+
+  // The first of the followed parts of an arc that starts beyond an advance.
+  std::vector<std::size_t>::const_iterator first_beyond(const std::vector<std::size_t>& parts, const FT& advance) const
+  {
+    return std::upper_bound(parts.begin(), parts.end(), advance, [&](const FT& at, std::size_t f) {
+      return at < m_followed[f].from;
+    });
+  }
+
+  // Calls f(index) for the followed parts of arc i that may overlap the part from p to q, up to `tie`. Followed parts overlap
+  // each other by at most `tie`, except those up to `error`.
+  template <class Function>
+  void for_each_followed(std::size_t i, const Point& p, const Point& q, const Function& f) const
+  {
+    const Arc& a = m_arcs[i];
+    const std::vector<std::size_t>& parts = m_followed_of[i];
+    if (parts.empty()) return;
+    const FT margin = FT(2) * m_arcs.tolerances().tie, from = a.advance(a.start(), p) - margin;
+    for (auto it = first_beyond(parts, FT(a.advance(a.start(), q) + margin)); it != parts.begin();)
+    {
+      const Followed& part = m_followed[*--it];
+      f(*it);
+      if (part.to < from && part.to - part.from > m_arcs.tolerances().error) return;
+    }
+  }
 
   bool is_followed(std::size_t i, const Point& p) const
   {
     const FT& tie = m_arcs.tolerances().tie;
-    for (std::size_t f = m_last_followed[i]; f != none; f = m_followed[f].previous)
-      if (!(m_arcs[i].advance(m_followed[f].start, p) < -tie) && !(m_arcs[i].advance(p, m_followed[f].end) < -tie)) return true;
-    return false;
+    bool result = false;
+    for_each_followed(i, p, p, [&](std::size_t f) {
+      result =
+        result || (!(m_arcs[i].advance(m_followed[f].start, p) < -tie) && !(m_arcs[i].advance(p, m_followed[f].end) < -tie));
+    });
+    return result;
   }
 
-  // Index of a followed part that the run overlaps, `none` if there is none. Where a chain changes arcs, it may go back and
-  // forth by up to `tie`, so a run that starts this near to the end of a longer part does not count. A part of no extent, where
-  // a chain starts and ends at one point, does not count.
+  // Index of the last followed part that the run overlaps, `none` if there is none. Where a chain changes arcs, it may go back
+  // and forth by up to `tie`, so a run that starts this near to the end of a longer part does not count. A part of no extent,
+  // where a chain starts and ends at one point, does not count.
   std::size_t followed_by(const Run& run) const
   {
     const Arc& a = m_arcs[run.arc];
     const FT &tie = m_arcs.tolerances().tie, &error = m_arcs.tolerances().error;
-    for (std::size_t f = m_last_followed[run.arc]; f != none; f = m_followed[f].previous)
-    {
+    std::size_t result = none;
+    for_each_followed(run.arc, run.start, run.end, [&](std::size_t f) {
       const Point &start = m_followed[f].start, &end = m_followed[f].end;
-      if (!(a.advance(start, end) > error)) continue;
+      if (!(a.advance(start, end) > error) || (result != none && f < result)) return;
       const FT rest = a.advance(run.start, end);
       if (CGAL::is_positive(rest) && CGAL::is_positive(a.advance(start, run.end)) &&
           (rest > tie || !(a.advance(start, end) > FT(2) * tie)))
-        return f;
-    }
-    return none;
+        result = f;
+    });
+    return result;
   }
 
   // True if the run lies in the second half of a part that chains of the cell follow. A loop that closes reaches the first half
@@ -386,13 +439,13 @@ private:
   bool is_known_end(const Run& run) const
   {
     const Arc& a = m_arcs[run.arc];
-    for (std::size_t f = m_last_followed[run.arc]; f != none; f = m_followed[f].previous)
-    {
+    bool result = false;
+    for_each_followed(run.arc, run.end, run.end, [&](std::size_t f) {
       const Point &start = m_followed[f].start, &end = m_followed[f].end;
-      if (a.advance(start, end) > FT(2) * run.length && CGAL::abs(a.advance(run.end, end)) <= m_arcs.tolerances().tie)
-        return true;
-    }
-    return false;
+      result =
+        result || (a.advance(start, end) > FT(2) * run.length && CGAL::abs(a.advance(run.end, end)) <= m_arcs.tolerances().tie);
+    });
+    return result;
   }
 
   auto pieces_at(std::size_t i) const { return m_pieces.begin() + std::ptrdiff_t(i); }
@@ -401,10 +454,12 @@ private:
   std::vector<typename Chains::Chain>& m_chains;
   std::vector<Piece>& m_pieces;
   const Cell* m_cell = nullptr;
-  std::vector<char> m_is_used; // per gate of the cell: true if a chain ends there
+  std::vector<char> m_is_used;                              // per gate of the cell: true if a chain ends there
+  std::vector<std::pair<std::size_t, std::size_t>> m_gates; // arcs, each with a gate where chains end
+  std::vector<std::size_t> m_arcs_of_cell;
   std::vector<Point> m_events; // on an arc
   std::vector<Followed> m_followed;
-  std::vector<std::size_t> m_last_followed; // per arc
+  std::vector<std::vector<std::size_t>> m_followed_of; // per arc, along the arc
 };
 
 } // namespace CGAL::Geodesic_offset::internal
