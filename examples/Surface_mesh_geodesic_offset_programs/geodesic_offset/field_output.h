@@ -69,10 +69,10 @@ struct File_field
           geodesic.signed_distance_to_sources(nearest).value_or(std::numeric_limits<double>::quiet_NaN());
       if(with_details)
       {
-        if(const auto source = geodesic.nearest_source(nearest))
+        if(const auto source = geodesic.nearest_source_and_side(nearest))
         {
-          columns[k].values[i] = static_cast<double>(source->source);
-          columns[k + 1].values[i] = static_cast<double>(source->side);
+          columns[k].values[i] = static_cast<double>(source->first);
+          columns[k + 1].values[i] = static_cast<double>(source->second);
         }
         k += 2;
         const Vector gradient = geodesic.gradient(nearest).value_or(CGAL::NULL_VECTOR);

@@ -167,7 +167,7 @@ public:
   /// counterclockwise ones, and positive on their right. Infinity if the point is unreachable or farther than
   /// `covered_distance()`. At a point of a source, the start value of the source. Elsewhere empty if the nearest source is a
   /// point or a set of edges, which have no sides, or if the nearest point is an end of an open polyline. The side is that of
-  /// `nearest_source()`, and so is the time, unless the build had a tolerance.
+  /// `nearest_source_and_side()`, and so is the time.
   template <class Location>
   std::optional<double> signed_distance_to_sources(const Location& location) const
   {
@@ -175,12 +175,27 @@ public:
     const Path_start start = start_at(p);
     const double d = CGAL::to_double(start.distance);
     if (start.is_at_source() || !start.is_reached()) return d;
-    switch (built().is_approximate() ? start.source_ref.side() : built().path_end(p, start).source_ref.side())
+    switch (built().source_ref(p, start).side())
     {
     case Source_side::LEFT: return -d;
     case Source_side::RIGHT: return d;
     default: return std::nullopt;
     }
+  }
+
+  /// the id of the nearest source, and the side of it on which the point lies; empty if the point is unreachable or farther than
+  /// `covered_distance()`. Both are those of `nearest_source()`; its time is needed only next to the source, where
+  /// corners of the faces around the point have another source or side, and behind segments shorter than 2<sup>-16</sup> edges.
+  /// \throws std::logic_error if the build had a tolerance
+  template <class Location>
+  std::optional<std::pair<std::size_t, Source_side>> nearest_source_and_side(const Location& location) const
+  {
+    built_exactly();
+    const Located_point p = classified(location);
+    const Path_start start = start_at(p);
+    if (!start.is_reached()) return std::nullopt;
+    const auto source_ref = built().source_ref(p, start);
+    return std::make_pair(std::size_t(built().initial.source_of[source_ref.primitive()]), source_ref.side());
   }
 
   /// the nearest source and the nearest point of it; empty if the point is unreachable or farther than

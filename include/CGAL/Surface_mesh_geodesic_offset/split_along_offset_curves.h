@@ -148,8 +148,8 @@ void split_along_offset_curves(TriangleMesh& tm, const OffsetCurves& curves,
     typedef typename std::remove_const<decltype(field)>::type Field;
     splitting.find_sources([&](const auto f, const std::array<double, 3>& w) {
       typedef typename Field::FT FT;
-      const auto nearest = field.nearest_source(typename Field::Face_location(f, {FT(w[0]), FT(w[1]), FT(w[2])}));
-      return nearest ? nearest->source : Field::no_source();
+      const auto nearest = field.nearest_source_and_side(typename Field::Face_location(f, {FT(w[0]), FT(w[1]), FT(w[2])}));
+      return nearest ? nearest->first : Field::no_source();
     });
   }
   auto visitor = parameters::choose_parameter(parameters::get_parameter(np, internal_np::visitor),

@@ -81,6 +81,9 @@ public:
   // End of the path from p with the given start.
   Suffix_end<FT> path_end(const Located_point<FT>& p, const Path_start<FT>& start) const;
 
+  // Source and side at that end. If the path is not traced, its part of the source is any.
+  Source_ref source_ref(const Located_point<FT>& p, const Path_start<FT>& start) const;
+
   // Appends the elements that the path meets after p. Returns the end.
   Suffix_end<FT> trace_path(const Located_point<FT>& p, const Path_start<FT>& start, std::vector<Path_element<FT>>& path) const;
 
@@ -109,6 +112,8 @@ private:
   void run_front(const Traits& traits, Consumer_of<Concurrency_tag>& consumer);
 
   void take_errors(const Merging_counts& counts);
+
+  bool are_of_one_side(const Surface_point<FT>& p, const Path_start<FT>& start) const;
 
   template <class Front>
   bool is_final(const Front& front, const Surface_point<FT>& p, const FT& distance) const;

@@ -21,6 +21,7 @@
 
 #include <CGAL/assertions.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstddef>
 #include <optional>
@@ -190,6 +191,36 @@ Suffix_end<typename Traits::FT> Geodesic_build<Traits>::path_end(const Located_p
 {
   No_path_output<FT> nothing;
   return Path_tracing<FT>(m_mesh, initial, field)(p, start, suffixes, nothing);
+}
+
+// Sources and sides tie on curves, at which rounding decides by which window a path starts, but its end decides the result. A
+// point is on none of these curves if all corners around it have the source and side of its window, unless the curve starts at a
+// source in the faces of the point. Behind short segments, ties within rounding have an extent.
+template <class Traits>
+Source_ref Geodesic_build<Traits>::source_ref(const Located_point<FT>& p, const Path_start<FT>& start) const
+{
+  if (is_approximate()) return start.source_ref;
+  return are_of_one_side(p, start) ? start.source_ref : path_end(p, start).source_ref;
+}
+
+// True if the corners of all faces of p have the source and side of its window, and if these are not of a short segment, nor
+// nearer than the size of the faces.
+template <class Traits>
+bool Geodesic_build<Traits>::are_of_one_side(const Surface_point<FT>& p, const Path_start<FT>& start) const
+{
+  const Source_ref source_ref = start.source_ref;
+  const FT size = start.length();
+  const Index source = initial.source_of[source_ref.primitive()];
+  const auto differs = [&](Index h) {
+    const Source_ref other = field.source_ref[m_mesh.source(h)];
+    return !(m_mesh[h].length < size) || !other.is_valid() || other.side() != source_ref.side() ||
+           initial.source_of[other.primitive()] != source;
+  };
+  if (initial.primitives[source_ref.primitive()].is_short) return false;
+  const std::vector<Index> faces = faces_of(m_mesh, p);
+  return std::none_of(faces.begin(), faces.end(), [&](Index f) {
+    return differs(3 * f) || differs(3 * f + 1) || differs(3 * f + 2);
+  });
 }
 
 template <class Traits>

@@ -30,6 +30,7 @@ struct Source_primitive
   Index source; // id of the source
   Index part;   // number of the point, or of the segment, within the source
   bool is_segment;
+  bool is_short = false; // a segment so short that paths to both ends may be one path up to rounding, or an end of it
 };
 
 // Position of a primitive: the segment from `first` to `second` in a common face; a point is `first` alone.

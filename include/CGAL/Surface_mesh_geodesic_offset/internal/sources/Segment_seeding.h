@@ -100,6 +100,7 @@ private:
     Index part;
     Point direction; // unit vector from a to b
     FT uncertainty;  // of the direction, an angle
+    bool is_short;   // see Source_primitive
   };
 
   // Makes the segment from p, the point with the given number, to q. Returns false for a degenerate segment, which has no
@@ -130,8 +131,13 @@ private:
       s.direction = CGAL::is_negative(dot(along, s.direction)) ? FT(-1) * along : along;
     }
     s.uncertainty = s.edge ? FT(0) : m_out.direction_uncertainty(s.face, size);
+    s.is_short = size <= largest_short_part() * Face_frame<FT>(m_mesh, s.face).longest_edge();
     return true;
   }
+
+  // Length of a short segment, as a part of an edge: a straight path of 2^14 edges may miss its goal by as much, see
+  // Path_goals::nearby.
+  static FT largest_short_part() { return FT(1. / (1 << 16)); }
 
   // Gives a short segment the direction of an adjacent segment, or the opposite one, if both are equal up to rounding. Otherwise
   // the strips of rays of the two segments would overlap, or leave a gap that widens with the distance.
@@ -172,7 +178,7 @@ private:
 
   void add_segment(Index source, const Segment& s)
   {
-    const Index primitive = m_out.add_primitive({source, s.part, true}, {s.first, s.second});
+    const Index primitive = m_out.add_primitive({source, s.part, true, s.is_short}, {s.first, s.second});
     const Source_ref left(primitive, Source_side::LEFT), right(primitive, Source_side::RIGHT);
     const Face_frame<FT> frame(m_mesh, s.face);
     if (s.edge)
@@ -239,7 +245,7 @@ private:
 
   void add_end(Index source, const Surface_point_& p, const Segment& s, bool at_second, Index part)
   {
-    const Source_ref source_ref(m_out.add_primitive({source, part, false}, {p, p}), Source_side::CAP);
+    const Source_ref source_ref(m_out.add_primitive({source, part, false, s.is_short}, {p, p}), Source_side::CAP);
     if (p.kind == Surface_point_::VERTEX)
     {
       const Ray r = ray_of(s, at_second);
@@ -257,7 +263,7 @@ private:
   void add_joint(Index source, const Segment& in, const Segment& out)
   {
     const Surface_point_& p = out.first;
-    const Index primitive = m_out.add_primitive({source, out.part, false}, {p, p});
+    const Index primitive = m_out.add_primitive({source, out.part, false, in.is_short || out.is_short}, {p, p});
     const Source_ref left(primitive, Source_side::LEFT), right(primitive, Source_side::RIGHT);
     if (p.kind == Surface_point_::VERTEX)
     {

@@ -46,32 +46,41 @@ public:
   const Window* const* begin() const { return m_order.data(); }
   const Window* const* end() const { return m_order.data() + m_size; }
 
-  // Adds a rest of a window, to be swept later. The first one is at the back; there are seldom more than two.
+  // Adds a rest of a window, to be swept later: before those that begin at the same place. There are seldom more than two.
   void push_later(const Window& w)
   {
-    auto it = m_later.end();
-    while (it != m_later.begin() && begins_before(*(it - 1), w)) --it;
-    m_later.insert(it, w);
-    CGAL_postcondition(std::is_sorted(m_later.rbegin(), m_later.rend(), begins_before));
+    m_later.push_back({w, m_pushed++});
+    std::push_heap(m_later.begin(), m_later.end(), comes_after);
   }
 
   bool has_later() const { return !m_later.empty(); }
-  bool has_later_before(const Window& w) const { return !m_later.empty() && begins_before(m_later.back(), w); }
+  bool has_later_before(const Window& w) const { return !m_later.empty() && begins_before(m_later.front().window, w); }
   const Window& first_later() const
   {
     CGAL_precondition(has_later());
-    return m_later.back();
+    return m_later.front().window;
   }
 
   Window pop_later()
   {
     CGAL_precondition(has_later());
-    const Window w = m_later.back();
+    std::pop_heap(m_later.begin(), m_later.end(), comes_after);
+    const Window w = m_later.back().window;
     m_later.pop_back();
     return w;
   }
 
 private:
+  struct Later
+  {
+    Window window;
+    std::size_t number; // in the order of push_later()
+  };
+  static bool comes_after(const Later& a, const Later& b)
+  {
+    return begins_before(b.window, a.window) || (a.number < b.number && !begins_before(a.window, b.window));
+  }
+
   static decltype(auto) key(const Window& w) { return Interval_filter<FT>::key(w.b0); }
 
   // Merges sorted runs. Children of a batch are sorted, so there are mostly one or two runs; trimming may move a few windows.
@@ -120,7 +129,8 @@ private:
   enum { most_runs = 8 };
   std::vector<const Window*> m_order;
   std::size_t m_size = 0;
-  std::vector<Window> m_later;
+  std::vector<Later> m_later; // a heap
+  std::size_t m_pushed = 0;
 };
 
 } // namespace CGAL::Geodesic_offset::internal
