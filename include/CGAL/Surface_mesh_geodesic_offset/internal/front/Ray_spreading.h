@@ -83,8 +83,7 @@ public:
     if (was_hidden) m_mesh.for_each_fan(v, [&](Index first) { spread(v, Ray(), Ray(), first, source_ref, v, front); });
     else if (is_pending) spread_behind(v, m_state.field.back[v].ray(), source_ref, front);
     if (!was_hidden)
-      for (const Ray& back : tied)
-        spread_behind(v, back, source_ref, front, m_state.rounding_at_vertex(m_state.field.distance[v]));
+      for (const Ray& back : tied) spread_behind_tied(v, back, source_ref, front);
   }
 
 private:
@@ -199,6 +198,19 @@ private:
       m_mesh.for_each_fan(v, [&](Index first) {
         if (!in_fan(back.corner, first)) spread(v, Ray(), Ray(), first, source_ref, v, front);
       });
+  }
+
+  // Starts the rays behind a direction that ties with the known one. Each of the two paths may have removed the other's rays before
+  // the vertex. If the sectors behind them are apart, by a narrow angle, the rays between them are started, too.
+  template <class Front>
+  void spread_behind_tied(Index v, const Ray& back, Source_ref source_ref, Front& front) const
+  {
+    const FT excess = m_state.rounding_at_vertex(m_state.field.distance[v]);
+    const auto spread_between = [&](const Ray& from, const Ray& to, Index first) {
+      spread(v, from, to, first, source_ref, v, front, excess);
+    };
+    if (!m_sector.for_sector_behind_other(m_state.field.back[v].ray(), back, spread_between))
+      spread_behind(v, back, source_ref, front, excess);
   }
 
   // Starts the rays from v in a sector: windows on the edges opposite to v, and updates of vertices along the edges.

@@ -183,6 +183,20 @@ public:
     else if (exist(from, to) && !comes_first(back.corner, from.corner, to.corner)) f(from, to, from.corner);
   }
 
+  // If two directions differ by a narrow angle, calls f(from, to, first), as above, for the sector between the ends of the sectors
+  // behind each, on the side of `other`: directions behind `other` alone, and those between the two sectors. Returns false if the
+  // angle is not narrow.
+  template <class Function>
+  bool for_sector_behind_other(const Ray& known, const Ray& other, const Function& f) const
+  {
+    const FT angle = narrow_angle(known, other);
+    if (CGAL::is_zero(angle) || m_mesh->first_on_border(known.corner) != no_index) return false;
+    const bool is_left = CGAL::is_positive(angle);
+    const Ray from = is_left ? turn_cw(known, 2) : turn_ccw(other, 2), to = is_left ? turn_cw(other, 2) : turn_ccw(known, 2);
+    if (exist(from, to) && CGAL::is_positive(narrow_angle(from, to))) f(from, to, from.corner);
+    return true;
+  }
+
   // Intersection of the sector [from, to] with the corner at the source of h: its bounding rays, null for the edges of the
   // corner. False if empty.
   bool part_in_corner(const Ray& from, const Ray& to, Index first, Index h, const Ray*& lower, const Ray*& upper) const
@@ -208,6 +222,27 @@ public:
   }
 
 private:
+  // The tangent of the counterclockwise angle from a to b, if it is narrow; zero if not.
+  FT narrow_angle(const Ray& a, const Ray& b) const
+  {
+    FT c(1), s(0);
+    if (b.corner == a.corner) {}
+    else if (b.corner == m_mesh->corner_ccw(a.corner)) m_mesh->corner_direction(a.corner, c, s);
+    else if (a.corner == m_mesh->corner_ccw(b.corner))
+    {
+      m_mesh->corner_direction(b.corner, c, s);
+      s = -s;
+    }
+    else return FT(0);
+    const FT x = c * b.x - s * b.y, y = s * b.x + c * b.y, along = a.x * x + a.y * y;
+    const FT sine = cross(a.x, a.y, x, y);
+    return along > FT(0) && CGAL::abs(sine) <= FT(widest_narrow_angle) * along ? FT(sine / along) : FT(0);
+  }
+
+  // Widest angle between two paths to a vertex for which the rays between those behind each are started: a path that bends by this
+  // angle is longer by less than rounding, 2^-53 of its length.
+  static constexpr double widest_narrow_angle = 0x1p-26;
+
   // False if turns around an interior vertex have failed: the total angle is so small that a half turn passes more corners than
   // the mesh has halfedges. (At a border vertex, a ray without a corner stands for the border.)
   static bool exist(const Ray& a, const Ray& b) { return a.corner != no_index && b.corner != no_index; }
