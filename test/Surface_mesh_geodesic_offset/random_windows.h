@@ -235,8 +235,7 @@ private:
     }
     const Index h = 3 * face_ + Index(k);
     auto& list = field_.lists.create(h);
-    field_.lists.append(h, list, windows.data(), windows.size());
-    list.processed = list.size;
+    field_.lists.replace(h, list, 0, 0, windows.data(), windows.data() + windows.size(), field_.lists.arena(0));
   }
 
   // The image that is nearest everywhere between two neighbouring ends, up to rounding. Images behind each other on a ray along
