@@ -167,7 +167,7 @@ public:
   /// counterclockwise ones, and positive on their right. Infinity if the point is unreachable or farther than
   /// `covered_distance()`. At a point of a source, the start value of the source. Elsewhere empty if the nearest source is a
   /// point or a set of edges, which have no sides, or if the nearest point is an end of an open polyline. The side is that of
-  /// `nearest_source_and_side()`, and so is the time.
+  /// `nearest_source_and_side()`, and so is the time; with a tolerance, it is that of the window, without a path.
   template <class Location>
   std::optional<double> signed_distance_to_sources(const Location& location) const
   {
@@ -184,8 +184,9 @@ public:
   }
 
   /// the id of the nearest source, and the side of it on which the point lies; empty if the point is unreachable or farther than
-  /// `covered_distance()`. Both are those of `nearest_source()`; its time is needed only next to the source, where
-  /// corners of the faces around the point have another source or side, and behind segments shorter than 2<sup>-16</sup> edges.
+  /// `covered_distance()`. Where sources or sides are equally far up to rounding, one of them. A path is traced, as by
+  /// `nearest_source()`, only if it is not longer than the edges of the faces around the point, if a corner of these faces has
+  /// another source or side, or if the nearest segment is shorter than 2<sup>-16</sup> edges; otherwise the time is constant.
   /// \throws std::logic_error if the build had a tolerance
   template <class Location>
   std::optional<std::pair<std::size_t, Source_side>> nearest_source_and_side(const Location& location) const

@@ -81,7 +81,7 @@ public:
   // End of the path from p with the given start.
   Suffix_end<FT> path_end(const Located_point<FT>& p, const Path_start<FT>& start) const;
 
-  // Source and side at that end. If the path is not traced, its part of the source is any.
+  // Source and side at that end. If the path is not traced, the primitive is that of the window.
   Source_ref source_ref(const Located_point<FT>& p, const Path_start<FT>& start) const;
 
   // Appends the elements that the path meets after p. Returns the end.

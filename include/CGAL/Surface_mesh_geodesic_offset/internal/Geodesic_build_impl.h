@@ -194,8 +194,8 @@ Suffix_end<typename Traits::FT> Geodesic_build<Traits>::path_end(const Located_p
 }
 
 // Sources and sides tie on curves, at which rounding decides by which window a path starts, but its end decides the result. A
-// point is on none of these curves if all corners around it have the source and side of its window, unless the curve starts at a
-// source in the faces of the point. Behind short segments, ties within rounding have an extent.
+// point is on none of these curves, mostly, if all corners around it have the source and side of its window, unless the curve
+// starts at a source in the faces of the point. Behind short segments, ties within rounding have an extent.
 template <class Traits>
 Source_ref Geodesic_build<Traits>::source_ref(const Located_point<FT>& p, const Path_start<FT>& start) const
 {
@@ -203,8 +203,8 @@ Source_ref Geodesic_build<Traits>::source_ref(const Located_point<FT>& p, const 
   return are_of_one_side(p, start) ? start.source_ref : path_end(p, start).source_ref;
 }
 
-// True if the corners of all faces of p have the source and side of its window, and if these are not of a short segment, nor
-// nearer than the size of the faces.
+// True if the corners of all faces of p have the source and side of its window, these are not of a short segment, and the path is
+// longer than all edges of these faces.
 template <class Traits>
 bool Geodesic_build<Traits>::are_of_one_side(const Surface_point<FT>& p, const Path_start<FT>& start) const
 {

@@ -114,7 +114,7 @@ public:
                                      boost::counting_iterator<std::size_t>(m_windows.size())));
   }
 
-  // Overload for some windows, given by their indices in ascending order.
+  // Overload for some windows, given by their indices in ascending order; indices behind the last window are ignored.
   template <class Indices>
   FT distance(const Point& p, std::size_t& nearest, const Indices& indices) const
   {

@@ -51,7 +51,7 @@ public:
   };
 
   // Propagates the pending windows of a halfedge. Of the list, only flags and the split change. The result is valid until the next
-  // call. A batch costs the pending windows and the propagated ones that they meet.
+  // call. With floating-point numbers, the batch of a reduced list costs the pending windows and the propagated ones that they meet.
   Replacement operator()(Index h, Window_list<FT>& list)
   {
     const Window *begin = list.pending.begin(), *end = list.pending.end();
@@ -104,12 +104,13 @@ private:
     Window* out = m_windows.data();
     for (std::size_t i = range.first; i < range.last; ++i, ++out)
     {
-      ::new (static_cast<void*>(out)) Window(restored(list.propagated.data[i], length));
+      *out = restored(list.propagated.data[i], length);
       out->set_propagated();
     }
   }
 
-  // Finds the propagated windows of a reduced list that may meet the pending ones.
+  // Finds the propagated windows of a reduced list that may meet the pending ones. Where rays graze the edge, one that meets them by
+  // rounding may be left out: then both stay, and no distance changes.
   void narrow(const Window_list<FT>& list, const FT& length, Replacement& range) const
   {
     CGAL_precondition(range.begin != range.end);
@@ -118,7 +119,7 @@ private:
     {
       low = (std::min)(low, w->b0);
       high = (std::max)(high, w->b1);
-      farthest = (std::max)(farthest, w->d1);
+      farthest = (std::max)({farthest, w->d0, w->d1});
     }
     const FT gap = m_envelope.reach(length, farthest);
     const auto *const begin = list.propagated.begin(), *const end = list.propagated.end();

@@ -36,8 +36,8 @@ BOOST_FORCEINLINE void process_halfedge(Index h, Wavefront_state<typename Traits
   List& list = *known;
   if (list.bucket != state.current() || !list.has_new()) return;
   list.bucket = List::not_queued;
-  const auto a = batch(h, list);
-  lists.replace(h, list, a.first, a.last, a.begin, a.end, arena);
+  const auto replacement = batch(h, list);
+  lists.replace(h, list, replacement.first, replacement.last, replacement.begin, replacement.end, arena);
   CGAL_assertion(!list.has_new());
   const auto& propagated = batch.propagated();
   part.counts.windows_propagated += propagated.number_of_windows();

@@ -184,8 +184,8 @@ public:
   }
 
   // If two directions differ by a narrow angle, calls f(from, to, first), as above, for the sector between the ends of the sectors
-  // behind each, on the side of `other`: directions behind `other` alone, and those between the two sectors. Returns false if the
-  // angle is not narrow.
+  // behind each, on the side of `other`: directions behind `other` alone, and those between the two sectors. Returns false without
+  // a call if the angle is not narrow.
   template <class Function>
   bool for_sector_behind_other(const Ray& known, const Ray& other, const Function& f) const
   {
@@ -193,7 +193,10 @@ public:
     if (CGAL::is_zero(angle) || m_mesh->first_on_border(known.corner) != no_index) return false;
     const bool is_left = CGAL::is_positive(angle);
     const Ray from = is_left ? turn_cw(known, 2) : turn_ccw(other, 2), to = is_left ? turn_cw(other, 2) : turn_ccw(known, 2);
-    if (exist(from, to) && CGAL::is_positive(narrow_angle(from, to))) f(from, to, from.corner);
+    // Rounding may reverse directions that are nearly equal; then no corner lies between.
+    if (!exist(from, to) || !CGAL::is_positive(narrow_angle(from, to))) return false;
+    if (to.corner != from.corner && to.corner != m_mesh->corner_ccw(from.corner)) return false;
+    f(from, to, from.corner);
     return true;
   }
 

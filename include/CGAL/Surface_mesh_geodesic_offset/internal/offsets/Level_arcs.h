@@ -116,7 +116,8 @@ public:
         if (has_offset(w)) f(w);
   }
 
-  // Distance of p to the sources that have an offset, and a window that attains it.
+  // Distance of p to the sources that have an offset, and a window that attains it. Of a point farther than the level and the slack,
+  // the result may be farther still, or infinite.
   FT distance(const Point& p, std::size_t& nearest) const
   {
     const auto at_p = m_candidates.at(p);

@@ -44,7 +44,8 @@ public:
   {
     std::vector<Distances_in_cell> distances;
     for (const unsigned i : candidates) distances.emplace_back(m_windows[i], cell);
-    // A corner moves by up to `margin` over the sine of half its angle; distances are 1-Lipschitz.
+    // A corner moves by up to the slack, which is at least the margin, over the sine of half its angle, at most twice the diameter
+    // over the least height; the difference of two distances changes by twice as much.
     const NT beyond = m_tolerances.slack * (2 + 4 * cell.diameter() / cell.least_height());
     for (std::size_t i = 0; i < candidates.size(); ++i)
       for (std::size_t j = 0; j < i; ++j)

@@ -64,7 +64,7 @@ public:
       if (i != end && !m_order.has_later_before(**i)) w = *i++;
       else if (m_order.has_later()) later = m_order.pop_later();
       else break;
-      m_touching = error_of_positions(w->d0);
+      m_touching = error_of_positions(length, w->d0);
       if constexpr (!Interval_filter<FT>::leaves_open)
       {
         if (adds_usual_case(*w, i, end)) continue;
@@ -94,11 +94,8 @@ public:
     return true;
   }
 
-  // Windows farther apart than this, at a distance of at most d, do not change one another.
-  FT reach(const FT& length, const FT& d) const
-  {
-    return max_gap(length) + 2 * FT(Number_policy<FT>::rounding(roundings_of_ray) * (length + d) + m_error_of_image);
-  }
+  // Windows farther apart than this, at a distance of at most d, do not change one another: a gap, and an error of each.
+  FT reach(const FT& length, const FT& d) const { return max_gap(length) + 2 * error_of_positions(length, d); }
 
 private:
   // True if a reduction may merge the consecutive windows a and b. The arguments are variables of is_monotone_list().
@@ -450,10 +447,10 @@ private:
   }
 
   // Rounding error of a position where windows touch: images have the rounding of their distance and of the edges that they crossed.
-  FT error_of_positions(const FT& distance) const
+  FT error_of_positions(const FT& length, const FT& distance) const
   {
     return Number_policy<FT>::is_inexact
-           ? FT(Number_policy<FT>::rounding(roundings_of_ray) * (m_length + distance) + m_error_of_image)
+           ? FT(Number_policy<FT>::rounding(roundings_of_ray) * (length + distance) + m_error_of_image)
            : FT(0);
   }
 

@@ -35,7 +35,7 @@ struct alignas(sizeof(FT) == 8 ? 64 : (std::max)(alignof(FT), alignof(std::size_
   std::size_t bucket = not_queued;
   FT split_distance = Number_policy<FT>::infinity(); // "one angle, one split": smallest distance of the
   FT split_entry = FT(0);                            // apex through this halfedge, and the entry of its ray
-  bool is_reduced = false;                           // the propagated windows are a lower envelope
+  bool is_reduced = false;                           // set by Halfedge_batch: the propagated windows are a lower envelope
 
   bool has_new() const { return pending.data; }
 };
@@ -100,13 +100,13 @@ public:
   void append(Index h, List& list, const Window_block<Window>& block, Arena& arena)
   {
     CGAL_precondition(block.data != nullptr && block.size > 0 && block.size <= arena.pending.capacity(block.size_class));
-    count(h, std::ptrdiff_t(block.size));
     if (!list.pending.data) list.pending = block;
     else
     {
       write(list.pending, block.data, block.size, arena.pending);
       arena.pending.release(block.data, block.size_class);
     }
+    count(h, std::ptrdiff_t(block.size));
   }
 
   // Replaces the propagated windows [first, last) and all pending ones of the list of a halfedge by the windows [begin, end), which
@@ -116,8 +116,8 @@ public:
     Window_block<Stored>& block = list.propagated;
     CGAL_precondition(first <= last && last <= block.size);
     const std::size_t middle = first + std::size_t(end - begin), size = middle + (block.size - last);
-    count(h, std::ptrdiff_t(size) - std::ptrdiff_t(block.size + list.pending.size));
     reserve(block, size, arena.propagated);
+    count(h, std::ptrdiff_t(size) - std::ptrdiff_t(block.size + list.pending.size));
     Stored *const behind = block.data + last, *const behind_end = block.data + block.size;
     if (middle > last) std::move_backward(behind, behind_end, block.data + size);
     else if (middle < last) std::move(behind, behind_end, block.data + middle);
