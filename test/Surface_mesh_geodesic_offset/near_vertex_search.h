@@ -46,8 +46,7 @@ public:
 
   static constexpr double tolerance = 1e-11; // relative to distance plus longest edge
 
-  /// Gaps between windows up to this part of an edge are measured: a wider part may be reached through the other side of the edge
-  /// alone, and a lost cone as wide as this gives wrong distances.
+  /// Gaps between windows up to this part of an edge are measured: a lost cone as wide as this gives wrong distances.
   static constexpr double widest_measured_gap = 1e-9;
 
   /// Writes up to `printed` wrong distances to `log`.
@@ -489,12 +488,25 @@ private:
     {
       if (before)
         if (const double gap = place(w.left) - place(before->right);
-            gap > 0 && gap < widest_measured_gap * field.frame().edge_length(edge))
+            gap > 0 && gap < widest_measured_gap * field.frame().edge_length(edge) && loses_rays(field, *before, w, size))
           result = (std::max)(result,
                               gap * (std::min)(sine(before->right_ray()), sine(w.left_ray())) / (w.distance_at(w.left) + size));
       if (!before || place(w.right) > place(before->right)) before = &w;
     }
     return result;
+  }
+
+  /// False if the middle between two windows is as near through another side of the face as their rays would make it.
+  static bool loses_rays(const Face_field& field, const Face_window& a, const Face_window& b, double size)
+  {
+    const Point_in_face middle = 0.5 * (a.right + b.left);
+    const auto by = [&](const Face_window& w) {
+      const double d = w.distance_at(middle);
+      return d < 0 ? infinity : d; // behind the source
+    };
+    const double by_rays = (std::min)(by(a), by(b));
+    std::size_t nearest;
+    return field.distance(middle, nearest) > by_rays + 1e-14 * (by_rays + size);
   }
 
   /// Compares the distances of queries and vertices with those expected, and measures the gaps between windows.
