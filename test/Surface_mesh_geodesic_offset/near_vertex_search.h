@@ -502,7 +502,7 @@ private:
     const Point_in_face middle = 0.5 * (a.right + b.left);
     const auto by = [&](const Face_window& w) {
       const double d = w.distance_at(middle);
-      return d < 0 ? infinity : d; // behind the source
+      return d < 0 ? std::numeric_limits<double>::infinity() : d; // behind the source
     };
     const double by_rays = (std::min)(by(a), by(b));
     std::size_t nearest;
