@@ -89,47 +89,55 @@ def test_dxf(bench):
     length = sum(bulge_length(*piece) for e in entities for piece in bulge_pieces(e))
     check_close(length, stats["curves"][0]["length"], 1e-9 * length, "length of open curves")
 
-    # in a tilted plane: polylines in space
-    stats = bench.run(bench.grid(TILTED), *bench.segment(TILTED), "--distance", 1.5, "--distance", 5.5,
-                      "--tolerance", 1e-4, "--output", out)
+    # in a tilted plane: true arcs, in the axes of the format for the normal of the plane
+    stats = bench.run(bench.grid(TILTED), *bench.segment(TILTED), "--distance", 1.5, "--distance", 5.5, "--output", out)
     entities = read_dxf(readfile, out)
     check(len(entities) == sum(level["number"] for level in stats["curves"]) and len(entities) > 1, "number of curves")
-    for entity in entities:
-        check(entity.dxftype() == "POLYLINE" and entity.is_3d_polyline, "polylines in space")
+    check({e.dxftype() for e in entities} == {"LWPOLYLINE"}, "polylines in a tilted plane")
     for level in stats["curves"]:
         d = level["distance"]
         some = [e for e in entities if e.dxf.layer == "offset_%.15g" % d]
-        check(len(some) == level["number"] and sum(e.is_closed for e in some) == level["closed"], "closed curves")
-        length = sum(chain_length(vertices_3d(e)) for e in some)
-        check(level["length"] * (1 - 1e-4 / d) <= length <= level["length"] * (1 + 1e-12), "length in space")
-        for p in (p for e in some for p in vertices_3d(e)):
-            check_close(from_segment(TILTED.plane(p))[0], d, 1e-9, "a point in space")
-    check({e.is_closed for e in entities} == {True, False}, "closed and open curves")
+        check(len(some) == level["number"] and sum(e.closed for e in some) == level["closed"], "closed curves")
+        length = sum(bulge_length(*piece) for e in some for piece in bulge_pieces(e))
+        check_close(length, level["length"], 1e-9 * length, "length in a tilted plane")
+        check(len(bulge_pieces(some[0])) == 4 or d == 5.5, "a stadium has four parts")
+        for entity in some:
+            axes = entity.ocs()
+            for piece in bulge_pieces(entity):
+                for part in (0, 0.3, 0.5, 1):
+                    p = tuple(axes.to_wcs((*bulge_point(*piece, part), entity.dxf.elevation)))
+                    check_close(math.dist(p, TILTED.space(TILTED.plane(p))), 0, 1e-9, "a point in the tilted plane")
+                    check_close(from_segment(TILTED.plane(p))[0], d, 1e-9, "a point of a polyline in the tilted plane")
+    check({e.closed for e in entities} == {True, False}, "closed and open curves")
 
-    # over a ridge: an arc in the horizontal half, a polyline in space in the other, end to end
+    # over a ridge: one polyline in space
     d = 3.0
     stats = bench.run(bench.ridge(), "--source-point", "4.5,6.2,0", "--distance", d, "--tolerance", 1e-5, "--output", out)
     check(stats["curves"][0]["number"] == stats["curves"][0]["closed"] == 1, "one closed curve over the ridge")
     check_close(stats["curves"][0]["length"], 2 * math.pi * d, 1e-9, "length over the ridge")
     entities = read_dxf(readfile, out)
-    check(sorted(e.dxftype() for e in entities) == ["LWPOLYLINE", "POLYLINE"], "two parts over the ridge")
-    flat = [e for e in entities if e.dxftype() == "LWPOLYLINE"][0]
-    steep = [e for e in entities if e.dxftype() == "POLYLINE"][0]
-    check(not flat.closed and not steep.is_closed and flat.dxf.elevation == 0, "open parts at height 0")
-    pieces = bulge_pieces(flat)
-    check_close(sum(bulge_length(*p) for p in pieces), d * (2 * math.pi - 2 * math.acos(0.5)), 1e-9, "the horizontal arc")
-    points = vertices_3d(steep)
-    ends = {(*pieces[0][0], 0.0), (*pieces[-1][1], 0.0)}
-    check({points[0], points[-1]} == ends and len(ends) == 2, "parts end at the same points")
-    check_close(chain_length(points), d * 2 * math.acos(0.5), 1e-4, "the other part")
+    check([e.dxftype() for e in entities] == ["POLYLINE"], "one entity over the ridge")
+    check(entities[0].is_3d_polyline and entities[0].is_closed, "a closed polyline in space")
+    points = vertices_3d(entities[0])
+    check_close(chain_length(points), 2 * math.pi * d, 1e-4, "length in space")
     for p in points:
-        check_close(math.dist(ridge_unfolded(p), (4.5, 6.2)), d, 1e-9, "a point beyond the ridge")
-        check_close(p[2], -0.75 * (p[0] - 6), 1e-12, "a point of the slope")
+        check_close(math.dist(ridge_unfolded(p), (4.5, 6.2)), d, 1e-9, "a point on the ridge's sides")
+        check_close(p[2], min(0, -0.75 * (p[0] - 6)), 1e-12, "a point of a side")
+    check(min(p[2] for p in points) < -0.1, "points of both sides")
 
-    # straight over the ridge: no split
+    # a family on a part with some horizontal faces: one entity per curve
+    stats = bench.run(bench.path("ridge.off"), "--source-point", "4.5,6.2,0", *(w for k in range(1, 12) for w in ("--distance", k / 2)),
+                      "--output", out)
+    entities = read_dxf(readfile, out)
+    check(len(entities) == sum(level["number"] for level in stats["curves"]), "one entity per curve: %d" % len(entities))
+    check({e.dxftype() for e in entities} == {"LWPOLYLINE", "POLYLINE"}, "horizontal and other curves")
+    check(sum(e.closed if e.dxftype() == "LWPOLYLINE" else e.is_closed for e in entities)
+          == sum(level["closed"] for level in stats["curves"]), "closed curves")
+
+    # straight over the ridge: polylines in space
     bench.run(bench.path("ridge.off"), "--source-plane", "0,1,0,-6", "--distance", 1.7, "--output", out)
     entities = read_dxf(readfile, out)
-    check([e.dxftype() for e in entities] == ["POLYLINE"] * 2, "straight curves in one part: %s" % entities)
+    check([e.dxftype() for e in entities] == ["POLYLINE"] * 2, "straight curves: %s" % entities)
 
     # around the border of a plate: its two sides face up and down at the same height
     stats = bench.run(bench.plate(HORIZONTAL), "--source-point", "%g,%g,0.3" % E, "--distance", 3, "--output", out)

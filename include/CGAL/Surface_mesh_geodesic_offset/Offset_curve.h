@@ -6,6 +6,7 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
+#include <CGAL/Surface_mesh_geodesic_offset/Offset_element.h>
 #include <CGAL/Surface_mesh_geodesic_offset/Offset_piece.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/curves/Curve_thinning.h>
 
@@ -35,8 +36,8 @@ of the surface. No curve meets itself or another one of the same distance.
 The curve is exact up to the rounding of its number type, unless the build had a tolerance; it becomes a polyline only on
 output. Points on arcs, angles and lengths of arcs are rounded to `double` whatever the number type. The mesh must outlive the curve; the
 `Surface_mesh_geodesic_offset` need not. Copies of the curve share the unfolded mesh, which is immutable. All member functions
-are const and, with floating point numbers, may be called from several threads. A curve that was moved from has no pieces: its
-length is 0, `discretize()` and the functions that write points write none, and those that return a point throw
+are const and, with floating point numbers, may be called from several threads. A curve that was moved from has no pieces and
+no elements: its length is 0, `discretize()` and the functions that write points write none, and those that return a point throw
 `std::logic_error`.
 
 \tparam Surface_ an implementation detail; `Surface_mesh_geodesic_offset::Offset_curve` names the type
@@ -67,6 +68,8 @@ public:
   typedef typename Surface_::Face_location Face_location;
   /// a piece of the curve
   typedef Geodesic_offset_piece<Surface_> Piece;
+  /// a segment or an arc of the curve in space
+  typedef Geodesic_offset_element<Surface_> Element;
   /// @}
 
   /// the requested distance from the sources. With an inexact number type, all points of the curve are nearer by 1024 units
@@ -112,6 +115,31 @@ public:
     const auto view = [context = m_context.get()](const Level_piece& p) { return Piece(*context, p); };
     return boost::make_iterator_range(boost::make_transform_iterator(m_pieces.begin(), view),
                                       boost::make_transform_iterator(m_pieces.end(), view));
+  }
+
+  /// the curve as maximal segments and arcs in space, across faces that are flat together.
+  ///
+  /// Consecutive pieces are one element if they are parts of one line or of one circle, and if their faces lie in one plane: their
+  /// ends and their middle are within the tolerance of the line or circle, and the corners of their faces within the tolerance of
+  /// the plane. Rounding is allowed in addition, 1e-12 of the coordinates and 1e-9 of the length of the element and of its radius.
+  /// So a tolerance of 0 is right for meshes whose flat parts are flat up to the rounding of `double`. For other meshes, for
+  /// instance with coordinates of seven digits, the tolerance is some errors of the points. Pieces shorter than rounding, where the
+  /// curve passes a vertex, belong to the element before.
+  ///
+  /// Each element ends where the next one starts. The elements cover the curve; an element of a closed curve may contain the start
+  /// of `piece(0)`, and is then the first element. A closed curve that is a circle is one element.
+  ///
+  /// Takes time \f$ O(n \log a) \f$ for \f$ n \f$ pieces, if the sum of the areas of their faces is \f$ a \f$ times the smallest.
+  /// \param tolerance a length; not negative
+  /// \throws std::invalid_argument unless `tolerance >= 0`
+  /// \throws std::logic_error if the mesh has lengths instead of points
+  std::vector<Element> elements(const FT& tolerance) const
+  {
+    if (!(tolerance >= FT(0))) throw std::invalid_argument("Surface_mesh_geodesic_offset: a tolerance must not be negative");
+    const Geodesic_offset::internal::Element_division division(*this, CGAL::to_double(tolerance));
+    std::vector<Element> result;
+    for (const auto& range : division.ranges()) result.push_back(Element(*this, division, range));
+    return result;
   }
   /// @}
 

@@ -8,7 +8,7 @@
 
 #include <CGAL/Surface_mesh_geodesic_offset/IO/Length_unit.h>
 #include <CGAL/Surface_mesh_geodesic_offset/IO/Offset_file_format.h>
-#include <CGAL/Surface_mesh_geodesic_offset/IO/internal/Plane_of_curves.h>
+#include <CGAL/Surface_mesh_geodesic_offset/IO/internal/Plane_of_faces.h>
 #include <CGAL/Surface_mesh_geodesic_offset/IO/internal/writing_parameters.h>
 #include <CGAL/Surface_mesh_geodesic_offset/IO/write_csv.h>
 #include <CGAL/Surface_mesh_geodesic_offset/IO/write_dxf.h>
@@ -43,7 +43,7 @@ public:
   {
     using namespace Geodesic_offset::internal;
     check_chord_tolerance(m_tolerance);
-    if (format == Offset_file_format::SVG) Plane_of_curves<CurveRange>{curves};
+    if (format == Offset_file_format::SVG) plane_of_curves(curves);
     else check_all_numbers_of_chords(curves, m_tolerance);
   }
 
@@ -87,7 +87,7 @@ private:
   \cgalParamNBegin{chord_tolerance}
     \cgalParamDescription{the largest distance of polylines in the file from their curves, in the units of the mesh's points.
                           The polylines have few points, see `Geodesic_offset_curve::points()`. The parameter does not affect
-                          arcs, which SVG files have everywhere and DXF files in horizontal planes.}
+                          arcs, which SVG files have everywhere and DXF files for curves in a plane.}
     \cgalParamType{a number type, convertible to `double`; positive}
     \cgalParamDefault{1e-4 of the diagonal of the bounding box of the end points of all pieces}
   \cgalParamNEnd

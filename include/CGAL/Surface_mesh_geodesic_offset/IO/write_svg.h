@@ -8,7 +8,7 @@
 
 #include <CGAL/Surface_mesh_geodesic_offset/IO/Length_unit.h>
 #include <CGAL/Surface_mesh_geodesic_offset/IO/internal/discretized_curves.h>
-#include <CGAL/Surface_mesh_geodesic_offset/IO/internal/Plane_of_curves.h>
+#include <CGAL/Surface_mesh_geodesic_offset/IO/internal/Plane_of_faces.h>
 #include <CGAL/Surface_mesh_geodesic_offset/IO/internal/plane_pieces.h>
 #include <CGAL/Surface_mesh_geodesic_offset/IO/internal/writing_parameters.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/parameters/named_parameters.h>
@@ -133,21 +133,16 @@ bool can_write_offset_SVG(const TriangleMesh& tm, const NamedParameters& np = pa
                                                     NamedParameters>();
   const auto points = parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
                                                    get_const_property_map(vertex_point, tm));
-  const auto for_each_face = [&](const auto& f) {
+  const internal::Plane_of_faces plane([&](const auto& f) {
     for (const auto face : faces(tm))
     {
       const auto h = halfedge(face, tm);
-      f(std::array<internal::Coordinates, 3>{internal::coordinates(get(points, source(h, tm))),
-                                             internal::coordinates(get(points, target(h, tm))),
-                                             internal::coordinates(get(points, target(next(h, tm), tm)))});
+      f(std::array<internal::Space_vector, 3>{internal::space_vector(get(points, source(h, tm))),
+                                              internal::space_vector(get(points, target(h, tm))),
+                                              internal::space_vector(get(points, target(next(h, tm), tm)))});
     }
-  };
-  const internal::Plane_of_faces plane(for_each_face);
-  bool is_planar = true;
-  for_each_face([&](const std::array<internal::Coordinates, 3>& corners) {
-    for (const internal::Coordinates& p : corners) is_planar = is_planar && plane.contains(p);
   });
-  return is_planar;
+  return plane.contains_all();
 }
 
 /*!
@@ -155,7 +150,8 @@ bool can_write_offset_SVG(const TriangleMesh& tm, const NamedParameters& np = pa
 
 \brief writes offset curves that lie in one plane, such as those of a planar mesh, as an SVG file.
 
-Each curve is a `path` of lines and true circular arcs; an arc is not divided where it crosses edges of the mesh. Closed
+Each curve is a `path` of lines and true circular arcs, those of `Geodesic_offset_curve::elements()`: they are not divided where
+they cross edges of the mesh. Closed
 curves end with `Z`. There is one group `g` per distance, with the distance as its attribute `data-distance` and as its title.
 One user unit is one unit of the mesh; the `viewBox` contains all curves and a margin.
 
@@ -187,14 +183,15 @@ bool write_offset_SVG(std::ostream& os, const OffsetCurveRange& curves,
 {
   namespace internal = Surface_mesh_geodesic_offset_internal;
   const Length_unit unit = internal::length_unit_of(np);
-  const internal::Plane_of_curves<OffsetCurveRange> plane(curves);
+  const internal::Plane_of_faces plane = internal::plane_of_curves(curves);
+  const internal::Plane_axes axes = plane.axes_of_drawing();
   std::map<double, std::vector<internal::Svg_path>> groups; // by distance
   internal::Plane_box box;
   for (const auto& curve : curves)
   {
     if (curve.number_of_pieces() == 0) continue;
     std::vector<internal::Svg_path>& paths = groups[CGAL::to_double(curve.distance())];
-    paths.push_back({internal::plane_pieces(curve, plane), curve.is_closed()});
+    paths.push_back({axes.pieces(curve, plane.tolerance()), curve.is_closed()});
     for (const internal::Plane_piece& piece : paths.back().pieces) box.add(piece);
   }
 

@@ -9,10 +9,10 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/IO/internal/discretized_curves.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/curves/Element_division.h>
 
 #include <CGAL/number_utils.h>
 
-#include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -35,29 +35,6 @@ struct Curve_line
   std::size_t index(std::size_t i) const { return i < points.size() ? i : 0; }
 };
 
-// Outer unit normal of the face of a piece; 0 if its corners lie on one line.
-template <class Curve>
-Coordinates face_normal(const Curve& curve, std::size_t piece)
-{
-  typedef typename Curve::FT FT;
-  typename Curve::Face_location corner = curve.piece(piece).start();
-  Coordinates p[3];
-  for (int i = 0; i < 3; ++i)
-  {
-    corner.second = {FT(i == 0 ? 1 : 0), FT(i == 1 ? 1 : 0), FT(i == 2 ? 1 : 0)};
-    p[i] = coordinates(curve.point(corner));
-  }
-  Coordinates n{};
-  for (std::size_t i = 0; i < 3; ++i)
-  {
-    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-    n[i] = (p[1][j] - p[0][j]) * (p[2][k] - p[0][k]) - (p[1][k] - p[0][k]) * (p[2][j] - p[0][j]);
-  }
-  const double length = std::hypot(n[0], n[1], n[2]);
-  for (double& x : n) x = length > 0 ? x / length + 0. : 0; // no -0
-  return n;
-}
-
 // Each segment belongs to one source and one side: points where these change are points of the line.
 template <class Curve, class FT>
 Curve_line curve_line(const Curve& curve, const FT& chord_tolerance)
@@ -74,7 +51,7 @@ Curve_line curve_line(const Curve& curve, const FT& chord_tolerance)
   for (std::size_t i = 0; i < line.points.size(); ++i)
   {
     const typename Curve::Piece piece = curve.piece(discrete.pieces[i]);
-    line.normals.push_back(face_normal(curve, discrete.pieces[i]));
+    line.normals.push_back(coordinates(Geodesic_offset::internal::Face_in_space(curve, piece).normal));
     line.sources.push_back(piece.source());
     line.sides.push_back(int(piece.side()));
   }

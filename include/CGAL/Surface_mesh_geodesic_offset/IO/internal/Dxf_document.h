@@ -11,6 +11,7 @@
 
 #include <CGAL/Surface_mesh_geodesic_offset/IO/Length_unit.h>
 #include <CGAL/Surface_mesh_geodesic_offset/IO/internal/discretized_curves.h>
+#include <CGAL/Surface_mesh_geodesic_offset/IO/internal/plane_pieces.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -33,8 +34,10 @@ struct Dxf_vertex
 struct Dxf_polyline
 {
   std::size_t layer = 0;
-  bool is_horizontal = false; // may have bulges; all points have the height of the first
-  bool is_closed = false;     // the first point is not repeated
+  bool is_flat = false;   // all points are in the plane with these axes, and may have bulges
+  bool is_closed = false; // the first point is not repeated
+  Plane_axes axes;
+  double elevation = 0; // coordinate of the plane along its normal
   std::vector<Dxf_vertex> vertices;
 };
 
@@ -56,7 +59,7 @@ public:
     m_os << "0\nENDSEC\n0\nSECTION\n2\nENTITIES\n";
     m_next = first_entity(layers.size());
     for (const Dxf_polyline& p : polylines)
-      if (p.is_horizontal) flat_polyline(p, layers[p.layer]);
+      if (p.is_flat) flat_polyline(p, layers[p.layer]);
       else spatial_polyline(p, layers[p.layer]);
     m_os << "0\nENDSEC\n";
     objects();
@@ -114,7 +117,7 @@ private:
   void header(std::size_t number_of_layers, const std::vector<Dxf_polyline>& polylines, const Bbox_3& box, Length_unit unit)
   {
     std::size_t next = first_entity(number_of_layers);
-    for (const Dxf_polyline& p : polylines) next += p.is_horizontal ? 1 : p.vertices.size() + 2;
+    for (const Dxf_polyline& p : polylines) next += p.is_flat ? 1 : p.vertices.size() + 2;
     m_os << "0\nSECTION\n2\nHEADER\n9\n$ACADVER\n1\nAC1015\n9\n$DWGCODEPAGE\n3\nANSI_1252\n9\n$INSUNITS\n";
     group(70, number_of(unit));
     group(9, "$HANDSEED");
@@ -230,13 +233,16 @@ private:
     group(90, p.vertices.size());
     group(70, p.is_closed ? 1 : 0);
     group(43, 0);
-    group(38, p.vertices.front().point[2]);
+    group(38, p.elevation);
     for (const Dxf_vertex& v : p.vertices)
     {
-      group(10, v.point[0]);
-      group(20, v.point[1]);
+      const Plane_point q = p.axes(Space_vector(v.point[0], v.point[1], v.point[2]));
+      group(10, q[0]);
+      group(20, q[1]);
       if (v.bulge != 0) group(42, v.bulge);
     }
+    const Coordinates normal = coordinates(p.axes.normal);
+    if (normal[2] != 1) point(210, normal);
   }
 
   void spatial_polyline(const Dxf_polyline& p, const std::string& layer)
