@@ -400,6 +400,126 @@ void values_of_points()
   }
 }
 
+// Arc length from the start of the curve to a point of a piece, by chords.
+double way_to(const Geodesic::Offset_curve& curve, std::size_t piece, const Point_3& p)
+{
+  double way = 0;
+  for (std::size_t i = 0; i <= piece; ++i)
+  {
+    const auto part = curve.piece(i);
+    const double chord = std::sqrt(CGAL::squared_distance(part.point(0), i < piece ? part.point(1) : p));
+    way += part.is_segment() ? chord : 2 * part.radius() * std::asin((std::min)(chord / (2 * part.radius()), 1.));
+  }
+  return way;
+}
+
+void check_spaced_points(const Geodesic::Offset_curve& curve, double spacing, double size)
+{
+  std::vector<Geodesic::Offset_curve::Oriented_point> points;
+  curve.points_at_spacing(spacing, std::back_inserter(points));
+  const double length = curve.length();
+  const auto n = double(points.size() - 1);
+  if (!CHECK(n >= (curve.is_closed() ? 3 : 1))) return;
+  CHECK(length / n <= spacing * (1 + 1e-9) && (length / (n - 1) > spacing || n == (curve.is_closed() ? 3 : 1)));
+  for (std::size_t j = 0; j < points.size(); ++j)
+  {
+    const auto& p = points[j];
+    const auto piece = curve.piece(p.piece);
+    const bool is_end = curve.is_closed() && j + 1 == points.size();
+    const double way = way_to(curve, p.piece, p.point), expected = is_end ? 0 : double(j) * length / n;
+    // the angle of a half turn is ill-conditioned
+    CHECK_DETAIL(std::abs(way - expected) <= 1e-7 * size, values(way, expected));
+    CHECK(p.location.first == piece.face() && CGAL::squared_distance(curve.point(p.location), p.point) == 0);
+    CHECK(std::abs(p.tangent * p.tangent - 1) < 1e-12 && std::abs(p.normal * p.normal - 1) < 1e-12);
+    CHECK_DETAIL(std::abs(p.tangent * p.normal) < 1e-9, values(p.tangent * p.normal, 0));
+    if (piece.length() < 1e-3 * size) continue;
+    const double t = (std::min)((std::max)((way - way_to(curve, p.piece, piece.point(0))) / piece.length(), 1e-3), 1 - 1e-3);
+    const Vector_3 forward = piece.point(t + 1e-3) - piece.point(t - 1e-3);
+    CHECK(forward * p.tangent >= (1 - 1e-4) * std::sqrt(forward * forward));
+  }
+  CHECK(!curve.is_closed() ||
+        (points.front().location == points.back().location && points.front().point == points.back().point));
+}
+
+void spaced_points()
+{
+  const Surface_mesh flat = mesh_of(jittered_grid(20, 20, 4));
+  Geodesic geodesic(flat);
+  geodesic.add_source_point(geodesic.locate(Point_3(9.3, 10.2, 0)));
+  Curves circle;
+  geodesic.build_with_offset_curves(6., std::back_inserter(circle));
+  std::vector<Geodesic::Offset_curve::Oriented_point> points;
+  circle[0].points_at_spacing(12 * CGAL_PI / 7, std::back_inserter(points)); // exactly seven parts, up to rounding
+  CHECK_DETAIL(points.size() == 8, std::to_string(points.size()));
+  for (std::size_t j = 1; j < points.size(); ++j)
+  {
+    const double chord = std::sqrt(CGAL::squared_distance(points[j - 1].point, points[j].point));
+    CHECK_DETAIL(std::abs(chord - 12 * std::sin(CGAL_PI / 7)) < 1e-12 * 6, values(chord, 12 * std::sin(CGAL_PI / 7)));
+    const Vector_3 out = (points[j].point - Point_3(9.3, 10.2, 0)) / 6; // smaller distances on the left
+    CHECK((CGAL::cross_product(points[j].normal, points[j].tangent) + out).squared_length() < 1e-20);
+    CHECK((points[j].normal - Vector_3(0, 0, 1)).squared_length() == 0);
+  }
+  const std::pair<const char*, Soup> soups[] = {{"turned cube", rotated(cube_grid(8), 5)},
+                                                {"grid", jittered_grid(20, 20, 7)},
+                                                {"torus", torus(40, 30)},
+                                                {"needles", needle_fan(60)}};
+  for (const auto& [name, soup] : soups)
+  {
+    const Surface_mesh mesh = mesh_of(soup);
+    Report::instance().set_context(name);
+    for (const auto& curve : curves_at_levels(mesh, 10))
+      for (double part : {1e-2, 0.3, 10.}) check_spaced_points(curve, part * size_of(mesh), size_of(mesh));
+  }
+  for (const double bad : {0., -1., std::nan("")})
+    CHECK_THROWS(circle[0].points_at_spacing(bad, std::back_inserter(points)), std::invalid_argument);
+  points.clear();
+  CHECK_THROWS(circle[0].points_at_spacing(1e-7, std::back_inserter(points)), std::length_error);
+  CHECK(points.empty());
+  std::ostringstream os;
+  CHECK_THROWS(CGAL::IO::write_offset_CSV(os, circle, CGAL::parameters::point_spacing(1e-7)), std::length_error);
+  CHECK_THROWS(CGAL::IO::write_offset_VTK(os, circle, CGAL::parameters::point_spacing(0)), std::invalid_argument);
+  CHECK(os.str().empty());
+  CHECK(CGAL::IO::write_offset_polylines(os, circle, CGAL::parameters::point_spacing(12)) && os.str().substr(0, 2) == "5 ");
+}
+
+// At corners and edges of a cube, however it is divided into triangles; on a sphere; in a plane.
+void smooth_normals()
+{
+  const auto normal_at = [](const Geodesic::Offset_curve& curve, const Surface_mesh& mesh, Surface_mesh::Vertex_index v) {
+    const auto h = mesh.halfedge(v); // v is its target
+    const auto f = mesh.is_border(h) ? mesh.face(mesh.opposite(h)) : mesh.face(h);
+    Geodesic::Face_location location(f, {0, 0, 0});
+    auto g = mesh.prev(mesh.halfedge(f));
+    for (double& w : location.second)
+    {
+      w = mesh.target(g) == v ? 1 : 0;
+      g = mesh.next(g);
+    }
+    return curve.smooth_normal(location);
+  };
+  const Surface_mesh cube = mesh_of(cube_grid(3)), sphere = mesh_of(icosphere(3));
+  const auto on_cube = curves_at_levels(cube, 3).front(), on_sphere = curves_at_levels(sphere, 3).front();
+  double low = infinity, high = -infinity;
+  for (const auto v : cube.vertices())
+    for (int i = 0; i < 3; ++i)
+    {
+      low = (std::min)(low, cube.point(v)[i]);
+      high = (std::max)(high, cube.point(v)[i]);
+    }
+  for (const auto v : cube.vertices())
+  {
+    double sides[3];
+    for (int i = 0; i < 3; ++i) sides[i] = cube.point(v)[i] == high ? 1 : cube.point(v)[i] == low ? -1 : 0;
+    Vector_3 expected(sides[0], sides[1], sides[2]);
+    expected = expected / std::sqrt(expected * expected);
+    CHECK((normal_at(on_cube, cube, v) - expected).squared_length() < 1e-28);
+  }
+  for (const auto v : sphere.vertices()) CHECK(normal_at(on_sphere, sphere, v) * (sphere.point(v) - CGAL::ORIGIN) > 1 - 1e-4);
+  for (const auto& piece : on_sphere.pieces())
+    CHECK(on_sphere.smooth_normal(piece.location(0.5)) * (piece.point(0.5) - CGAL::ORIGIN) > 0.99);
+  CHECK_THROWS(on_sphere.smooth_normal({Surface_mesh::null_face(), {1, 0, 0}}), std::invalid_argument);
+}
+
 } // namespace test_offset_points
 
 GEODESIC_OFFSET_TEST(test_offset_points)
@@ -412,6 +532,8 @@ GEODESIC_OFFSET_TEST(test_offset_points)
     {"tiny tolerances", tiny_tolerances},
     {"small curves", small_curves},
     {"values of points", values_of_points},
+    {"spaced points", spaced_points},
+    {"smooth normals", smooth_normals},
     {"generated meshes", generated},
     {data_case, data_meshes}};
   return run_tests("test_offset_points", tests);

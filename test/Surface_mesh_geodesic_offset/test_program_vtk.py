@@ -48,7 +48,7 @@ def test_vtk(bench):
     check_levels(stats, [0.5, 1.25])
     lines, cells, points, data = read_vtk(vtkPolyDataReader(), out)
     check(cells == {"distance", "closed", "source", "side"}, "cell arrays %s" % cells)
-    check(points == {"source", "side", "normal"}, "point arrays %s" % points)
+    check(points == {"source", "side", "normal", "tangent", "face", "barycentric"}, "point arrays %s" % points)
     check(data.GetCellData().GetScalars().GetName() == "distance", "distance is active")
     check(data.GetPointData().GetScalars() is None, "no values of points are active")
     check(len(lines) == 4 == sum(level["number"] for level in stats["curves"]), "%d lines" % len(lines))
@@ -96,13 +96,13 @@ def test_vtk(bench):
     check(len(read_vtk(vtkPolyDataReader(), out)[0]) == 0, "no lines")
 
 
-def write_ridge_offsets(bench, name):
+def write_ridge_offsets(bench, name, *options):
     """Offsets of a vertex and a segment on a ridge, as .vtk and in the format of the name; returns both paths."""
     with open(bench.path("segment.polylines.txt"), "w") as out:
         out.write(polyline_text([(3.1, 5.2, 0), (5.3, 7.4, 0)]))
     files = bench.path("out.vtk"), bench.path(name)
     bench.run(bench.ridge(), "--source-vertex", 0, "--source-polyline", bench.path("segment.polylines.txt"), "--spacing", 0.7,
-              "--output", files[0], "--output", files[1])
+              "--output", files[0], "--output", files[1], *options)
     return files
 
 
@@ -124,19 +124,59 @@ def test_vtp(bench):
     check(len(read_vtk(vtkXMLPolyDataReader(), files[1])[0]) == 0, "no lines")
 
 
+VECTORS = {"normal": ("nx", "ny", "nz"), "barycentric": ("b0", "b1", "b2"), "tangent": ("tx", "ty", "tz")}
+
+
+def read_off(path):
+    with open(path) as file:
+        words = file.read().split()
+    vertices, faces = int(words[1]), int(words[2])
+    numbers = list(map(float, words[4:4 + 3 * vertices]))
+    corners = list(map(int, words[4 + 3 * vertices:4 + 3 * vertices + 4 * faces]))
+    return [tuple(numbers[k:k + 3]) for k in range(0, 3 * vertices, 3)], [corners[k + 1:k + 4] for k in range(0, 4 * faces, 4)]
+
+
 def test_csv(bench):
-    """The rows of a .csv file are the points of the .vtk file."""
+    """The rows of a .csv file are the points of the .vtk file, in faces of the mesh file."""
     vtkPolyDataReader = vtk_readers("vtkIOLegacy.vtkPolyDataReader")
-    files = write_ridge_offsets(bench, "out.csv")
-    expected = read_vtk(vtkPolyDataReader(), files[0])[0]
-    with open(files[1], newline="") as file:
-        reader = csv.DictReader(file)
-        rows = [{name: float(x) for name, x in row.items()} for row in reader]
-    check(reader.fieldnames == ["curve", "distance", "source", "side", "x", "y", "z", "nx", "ny", "nz"], "columns")
-    wanted = [{"curve": i, "distance": line["cell"]["distance"], "source": at["source"], "side": at["side"],
-               **dict(zip("xyz", p)), **dict(zip(("nx", "ny", "nz"), at["normal"]))}
-              for i, line in enumerate(expected) for p, at in zip(line["points"], line["at"])]
-    check(len(rows) > 200 and rows == wanted, "%d rows, expected %d" % (len(rows), len(wanted)))
+
+    def rows_of(*options):
+        files = write_ridge_offsets(bench, "out.csv", *options)
+        expected = read_vtk(vtkPolyDataReader(), files[0])[0]
+        with open(files[1], newline="") as file:
+            reader = csv.DictReader(file)
+            rows = [{name: float(x) for name, x in row.items()} for row in reader]
+        check(reader.fieldnames == "curve distance source side x y z nx ny nz face b0 b1 b2 tx ty tz".split(), "columns")
+        wanted = [{"curve": i, "distance": line["cell"]["distance"], "source": at["source"], "side": at["side"],
+                   "face": at["face"], **dict(zip("xyz", p)),
+                   **{name: x for array, names in VECTORS.items() for name, x in zip(names, at[array])}}
+                  for i, line in enumerate(expected) for p, at in zip(line["points"], line["at"])]
+        check(len(rows) > 200 and rows == wanted, "%d rows, expected %d" % (len(rows), len(wanted)))
+        points, faces = read_off(bench.path("ridge.off"))
+        for row in rows:
+            weights = [row[b] for b in VECTORS["barycentric"]]
+            corners = [points[v] for v in faces[int(row["face"])]]
+            p = [sum(w * c[i] for w, c in zip(weights, corners)) for i in range(3)]
+            check(math.dist(p, [row[x] for x in "xyz"]) < 1e-12, "a point in its face")
+            normal, tangent = ([row[x] for x in VECTORS[array]] for array in ("normal", "tangent"))
+            check_close(math.hypot(*normal), 1, 1e-12, "a unit normal")
+            check_close(math.hypot(*tangent), 1, 1e-12, "a unit tangent")
+        return rows
+
+    rows_of()
+    spaced = rows_of("--point-spacing", 0.1, "--smooth-normals")
+    sides, between = ((0, 0, 1), (0.6, 0, 0.8)), 0
+    for i in range(int(spaced[-1]["curve"]) + 1):
+        curve = [row for row in spaced if row["curve"] == i]
+        chords = [math.dist(*([row[x] for x in "xyz"] for row in pair)) for pair in zip(curve, curve[1:])]
+        check(max(chords) <= 0.1 + 1e-9, "spacing %g" % max(chords))
+        # shorter only at corners and bends
+        check(sorted(chords)[len(chords) // 2] > 0.98 * max(chords), "even spacing")
+        for row in curve:
+            normal = tuple(row[x] for x in VECTORS["normal"])
+            check(abs(normal[1]) < 1e-12 and -1e-12 <= normal[0] <= 0.6 + 1e-12, "a smooth normal: %s" % (normal,))
+            between += min(math.dist(normal, side) for side in sides) > 1e-3
+    check(between > 10, "normals between those of the sides")
 
 
 def test_levels(bench):

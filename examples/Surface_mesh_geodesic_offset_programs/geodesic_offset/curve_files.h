@@ -65,13 +65,15 @@ inline std::uintmax_t bytes_per_point(const std::string& file)
 // reason.
 inline std::string add_curve_files(Output_files& files, const Output_options& options, const Offsets& offsets, double tolerance)
 {
-  const auto parameters = CGAL::parameters::chord_tolerance(tolerance).length_unit(options.unit);
   std::string problem;
   for(const std::string& file : options.outputs)
   {
     if(Level_files::supports(file)) continue;
     const auto write = [&](std::ostream& out) {
-      CGAL::IO::write_offset_curves(out, CGAL::IO::offset_file_format(file), offsets.curves, parameters);
+      with_point_parameters(options, tolerance, [&](const auto& parameters) {
+        return CGAL::IO::write_offset_curves(out, CGAL::IO::offset_file_format(file), offsets.curves,
+                                             parameters.length_unit(options.unit));
+      });
     };
     try
     {

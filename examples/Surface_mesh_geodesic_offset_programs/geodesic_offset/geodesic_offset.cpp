@@ -58,6 +58,7 @@ Mesh_input load(const Options& options, Run_figures& figures, Progress& progress
   for(const std::string& remark : input.remarks()) progress.line("mesh: " + remark);
   if(!input.warning().empty()) progress.warning(input.warning());
   check_length("tolerance", options.tolerance, input.bounding_box_diagonal());
+  check_length("point-spacing", options.point_spacing, input.bounding_box_diagonal());
   return input;
 }
 

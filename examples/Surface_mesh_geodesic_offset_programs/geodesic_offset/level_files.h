@@ -38,11 +38,13 @@ public:
   // Throws Input_error, here and below, if a file cannot be written.
   Level_files(Output_files& files, const Output_options& options, double tolerance) : m_files(files)
   {
+    using CGAL::IO::Offset_level_writer;
     for(const std::string& file : options.outputs)
       if(supports(file))
-        m_open.push_back({file,
-                          std::make_unique<CGAL::IO::Offset_level_writer>(files.open(file), CGAL::IO::offset_file_format(file),
-                                                                          CGAL::parameters::chord_tolerance(tolerance))});
+        m_open.push_back({file, with_point_parameters(options, tolerance, [&](const auto& parameters) {
+                            return std::make_unique<Offset_level_writer>(files.open(file), CGAL::IO::offset_file_format(file),
+                                                                         parameters);
+                          })});
   }
 
   // Writes the offsets of one distance.

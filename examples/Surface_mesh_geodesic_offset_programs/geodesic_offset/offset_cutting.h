@@ -51,6 +51,7 @@ class Offset_collector
   static constexpr std::size_t most_points = 20000000;
 
   double m_tolerance;
+  std::optional<double> m_point_spacing;
   bool m_is_only_drawn;
   bool m_keeps_curves;
   Drawing_check& m_drawing;
@@ -65,8 +66,8 @@ class Offset_collector
 public:
   Offset_collector(const Options& options, double tolerance, double last_start, Drawing_check& drawing, Level_files& files,
                    Offsets& offsets)
-    : m_tolerance(tolerance), m_is_only_drawn(is_only_drawn(options)), m_keeps_curves(needs_all_curves(options)),
-      m_drawing(drawing), m_files(files), m_offsets(offsets),
+    : m_tolerance(tolerance), m_point_spacing(options.point_spacing), m_is_only_drawn(is_only_drawn(options)),
+      m_keeps_curves(needs_all_curves(options)), m_drawing(drawing), m_files(files), m_offsets(offsets),
       m_ends_without_curves(!options.takes_everything() && !options.needs_field()), m_last_start(last_start)
   {
   }
@@ -85,6 +86,7 @@ public:
   {
     ++m_levels;
     m_distance = distance;
+    if(m_point_spacing) check_spacing(curves, distance);
     if(m_keeps_curves) count_points(curves);
     if(m_ends_without_curves && curves.empty() && distance > m_last_start) m_has_ended = true;
     m_drawing.look_at(curves);
@@ -98,14 +100,27 @@ public:
 
 private:
   // Throws Usage_error.
+  void check_spacing(const std::vector<Offset_curve>& curves, double distance) const
+  {
+    for(const Offset_curve& curve : curves)
+      if(curve.length() / *m_point_spacing > double(most_points))
+        throw Usage_error("--point-spacing " + short_number(*m_point_spacing) + " would give an offset at distance " +
+                          short_number(distance) + " more than " + std::to_string(most_points) + " points");
+  }
+
+  // Throws Usage_error.
   void count_points(const std::vector<Offset_curve>& curves)
   {
     for(const Offset_curve& curve : curves)
+    {
+      if(m_point_spacing) m_offsets.points += std::size_t(curve.length() / *m_point_spacing) + 1;
       for(const auto& piece : curve.pieces()) m_offsets.points += piece.number_of_chords(m_tolerance);
+    }
     if(m_offsets.points > most_points)
       throw Usage_error("the offsets up to distance " + short_number(m_distance) + " have more than " +
                         std::to_string(most_points) + " points, which some outputs need at once: use fewer distances, a " +
-                        "--tolerance larger than " + short_number(m_tolerance) +
+                        (m_point_spacing ? "--point-spacing larger than " + short_number(*m_point_spacing)
+                                         : "--tolerance larger than " + short_number(m_tolerance)) +
                         ", or only --output files in .polylines.txt, .vtp, .obj or .csv");
   }
 

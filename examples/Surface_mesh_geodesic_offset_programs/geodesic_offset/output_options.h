@@ -29,6 +29,8 @@ struct Output_options
   std::string picture;
   std::string stats;
   std::optional<double> tolerance;
+  std::optional<double> point_spacing; // instead of the tolerance
+  bool smooth_normals = false;
   CGAL::IO::Length_unit unit = CGAL::IO::Length_unit::NONE;
   std::optional<std::array<double, 3>> view;
   std::optional<std::array<double, 3>> up;
@@ -49,6 +51,14 @@ struct Output_options
   bool shows_field() const { return !fields.empty() || !split.empty() || !voronoi.empty() || !picture.empty(); }
 };
 
+// Calls f with the named parameters for the points of files.
+template <class Function>
+auto with_point_parameters(const Output_options& options, double tolerance, const Function& f)
+{
+  const auto parameters = CGAL::parameters::chord_tolerance(tolerance).smooth_normals(options.smooth_normals);
+  return options.point_spacing ? f(parameters.point_spacing(*options.point_spacing)) : f(parameters);
+}
+
 namespace internal {
 
 inline po::options_description output_options_description()
@@ -60,6 +70,9 @@ inline po::options_description output_options_description()
                         "offsets as .polylines.txt, .vtk, .vtp, .obj, .csv, .dxf or, if they lie in one "
                         "plane, .svg (repeatable)")(
     "tolerance", word("T"), "chord tolerance of the written polylines (default: 1e-4 of the bounding-box diagonal)")(
+    "point-spacing", word("S"),
+    "points of .polylines.txt, .vtk, .vtp, .obj and .csv evenly along the curves, at most S apart, instead of --tolerance")(
+    "smooth-normals", po::bool_switch(), "in .vtk, .vtp and .csv: normals interpolated between vertices, not those of faces")(
     "unit", word("UNIT"), "unit of the mesh, for .dxf and .svg: mm, cm, m or in (default: none)")(
     "field", words("FILE"),
     "the input's vertices with their distances, signed ones too if there are polylines, as .ply or "
@@ -129,13 +142,18 @@ inline void check_outputs(const po::variables_map& map, const Output_options& op
       throw Usage_error("--" + std::string(option) + " needs --distance or --spacing");
   for(const char* option : {"view", "up"})
     if(map.count(option) && options.picture.empty()) throw Usage_error("--" + std::string(option) + " needs --picture");
-  if(map.count("unit"))
-  {
-    bool has_unit = false;
+  const auto has_output = [&](const std::vector<const char*>& extensions) {
     for(const std::string& output : options.outputs)
-      has_unit = has_unit || has_extension(output, ".dxf") || has_extension(output, ".svg");
-    if(!has_unit) throw Usage_error("--unit needs an --output that ends in .dxf or .svg: other formats have no unit");
-  }
+      for(const char* extension : extensions)
+        if(has_extension(output, extension)) return true;
+    return false;
+  };
+  if(map.count("unit") && !has_output({".dxf", ".svg"}))
+    throw Usage_error("--unit needs an --output that ends in .dxf or .svg: other formats have no unit");
+  if(options.point_spacing && !has_output({".polylines.txt", ".vtk", ".vtp", ".obj", ".csv"}))
+    throw Usage_error("--point-spacing needs an --output that ends in .polylines.txt, .vtk, .vtp, .obj or .csv");
+  if(options.smooth_normals && !has_output({".vtk", ".vtp", ".csv"}))
+    throw Usage_error("--smooth-normals needs an --output that ends in .vtk, .vtp or .csv: other formats have no normals");
 }
 
 inline void read_output_options(const po::variables_map& map, Output_options& options)
@@ -149,6 +167,8 @@ inline void read_output_options(const po::variables_map& map, Output_options& op
   options.picture = option_word(map, "picture");
   options.stats = option_word(map, "stats");
   options.tolerance = optional_positive_number(map, "tolerance");
+  options.point_spacing = optional_positive_number(map, "point-spacing");
+  options.smooth_normals = map["smooth-normals"].as<bool>();
   if(map.count("unit")) options.unit = length_unit(map["unit"].as<std::string>());
   options.view = direction(map, "view");
   options.up = direction(map, "up");

@@ -10,12 +10,14 @@
 #include <CGAL/Surface_mesh_geodesic_offset/Offset_piece.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/curves/Curve_thinning.h>
 
+#include <CGAL/boost/graph/iterator.h>
 #include <CGAL/enum.h>
 
 #include <boost/iterator/counting_iterator.hpp>
 #include <boost/iterator/transform_iterator.hpp>
 #include <boost/range/iterator_range.hpp>
 
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -70,6 +72,18 @@ public:
   typedef Geodesic_offset_piece<Surface_> Piece;
   /// a segment or an arc of the curve in space
   typedef Geodesic_offset_element<Surface_> Element;
+  /// a vector in space
+  typedef typename Surface_::Vector_3 Vector_3;
+
+  /// a point of the curve with its directions
+  struct Oriented_point
+  {
+    std::size_t piece;      ///< the index of the piece
+    Face_location location; ///< the point in the face of the piece
+    Point_3 point;          ///< the point in space
+    Vector_3 tangent;       ///< unit vector in the direction of travel; the null vector if the piece has no length
+    Vector_3 normal;        ///< outer unit normal of the face; the null vector if the face has no area
+  };
   /// @}
 
   /// the requested distance from the sources. With an inexact number type, all points of the curve are nearer by 1024 units
@@ -176,6 +190,79 @@ public:
   /// the point at a given arc length from the start, as a point in space.
   Point_3 point(const FT& way) const { return context().surface->point(location(way)); }
 
+  /// the point of the i-th piece at the parameter `t`, with its directions; see `Piece::point_2()`.
+  /// \pre `i < number_of_pieces()`
+  Oriented_point oriented_point(std::size_t i, const FT& t) const
+  {
+    using namespace Geodesic_offset::internal;
+    const Piece p = piece(i);
+    const Piece_in_space in_space(*this, p, space_vector(point(p.start())), space_vector(point(p.end())));
+    const Face_location l = p.location(t);
+    const Point_3 q = point(l);
+    return {i, l, q, exported(in_space.tangent(space_vector(q))), exported(in_space.normal)};
+  }
+
+  /// writes points of the curve that are evenly spaced by arc length, with their directions.
+  ///
+  /// The curve is divided into equal parts that are as long as possible but no longer than `spacing`; a closed curve has three
+  /// parts at least. The points are the ends of the parts: the first and last points of an open curve are its ends, a closed curve
+  /// starts at the start of `piece(0)` and repeats this point at the end. Lengths are rounded to `double`. Takes time linear in
+  /// the numbers of pieces and points.
+  /// \param spacing a length
+  /// \param out an output iterator for `Oriented_point`
+  /// \throws std::invalid_argument unless `spacing > 0`
+  /// \throws std::length_error if there are more than 20,000,000 points, before any output
+  template <class OutputIterator>
+  OutputIterator points_at_spacing(const FT& spacing, OutputIterator out) const
+  {
+    const std::size_t parts = Geodesic_offset::internal::number_of_parts(*this, spacing), n = m_pieces.size();
+    if (n == 0) return out;
+    const double step = CGAL::to_double(length()) / double(parts);
+    double before = 0; // arc length at the start of the piece
+    std::size_t j = 0;
+    for (std::size_t i = 0; i < n; ++i)
+    {
+      const double l = CGAL::to_double(piece(i).length());
+      for (; j < parts && (double(j) * step < before + l || i + 1 == n); ++j)
+        *out++ = oriented_point(i, FT(l > 0 ? (double(j) * step - before) / l : 0.));
+      before += l;
+    }
+    *out++ = m_closed ? oriented_point(0, FT(0)) : oriented_point(n - 1, FT(1));
+    return out;
+  }
+
+  /// the normal of the surface at a location as if the surface were smooth: the unit vector of the normals of the corners,
+  /// interpolated with the coordinates of the location. The normal of a vertex is the sum of the outer unit normals of its faces,
+  /// weighted by their angles; faces without area do not count. For machines with five axes and for shading, where normals of
+  /// faces would jump at edges. The null vector if the sum is 0.
+  /// \throws std::invalid_argument if the face of the location is null, removed or of another mesh
+  Vector_3 smooth_normal(const Face_location& location) const
+  {
+    using namespace Geodesic_offset::internal;
+    context().surface->checked_index_of(location.first);
+    const auto& tm = m_context->surface->tm;
+    const auto at = [&](auto v) { return space_vector(m_context->surface->position(v)); };
+    Space_vector sum = NULL_VECTOR;
+    auto h = prev(halfedge(location.first, tm), tm);
+    for (const FT& weight : location.second)
+    {
+      Space_vector normal = NULL_VECTOR; // of the target of h
+      for (const auto g : halfedges_around_target(h, tm))
+      {
+        if (is_border(g, tm)) continue;
+        const Space_vector v = at(target(g, tm)), a = at(source(g, tm)) - v, b = at(target(next(g, tm), tm)) - v;
+        const Space_vector area = cross_product(b, a);
+        const double l = Geodesic_offset::internal::length(area);
+        if (l > 0) normal = normal + (std::atan2(l, a * b) / l) * area;
+      }
+      const double l = Geodesic_offset::internal::length(normal);
+      if (l > 0) sum = sum + (CGAL::to_double(weight) / l) * normal;
+      h = next(h, tm);
+    }
+    const double l = Geodesic_offset::internal::length(sum);
+    return exported(l > 0 ? Space_vector(sum / l) : sum);
+  }
+
   /// calls `f(location, i)` for points along the curve, where `i` is the index of the piece that contains the point.
   ///
   /// Both ends of each piece are among the points, so two consecutive points share the face of a piece.
@@ -243,6 +330,11 @@ public:
   /// @}
 
 private:
+  static Vector_3 exported(const Geodesic_offset::internal::Space_vector& v)
+  {
+    return Element::exported(v) - Element::exported(NULL_VECTOR);
+  }
+
   const Context& context() const
   {
     if (!m_context) throw std::logic_error("Surface_mesh_geodesic_offset: an offset curve that was moved from has no points");

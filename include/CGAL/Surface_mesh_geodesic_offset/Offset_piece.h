@@ -85,6 +85,9 @@ public:
   /// the face whose interior or boundary contains the piece.
   face_descriptor face() const { return m_context->surface->face_of[m_piece->face]; }
 
+  /// the index of `face()`: its value in the map of face indices, for meshes of %CGAL its number in `faces(tm)`.
+  std::size_t face_index() const { return m_context->surface->index_in_mesh(face()); }
+
   /// whether the piece is a straight segment.
   bool is_segment() const { return m_piece->is_straight; }
   /// whether the piece is an arc.

@@ -55,7 +55,7 @@ public:
   /// \param os the stream, which must outlive the writer
   /// \param format the format
   /// \tparam NamedParameters a sequence of named parameters
-  /// \param np a named parameter
+  /// \param np a sequence of named parameters among those listed below
   ///
   /// \cgalNamedParamsBegin
   ///   \cgalParamNBegin{chord_tolerance}
@@ -64,16 +64,28 @@ public:
   ///     \cgalParamType{a number type, convertible to `double`; positive}
   ///     \cgalParamDefault{none: the curves are not known yet, so the parameter is required}
   ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{point_spacing}
+  ///     \cgalParamDescription{the largest distance between consecutive points along the curve: the points are those of
+  ///                           `Geodesic_offset_curve::points_at_spacing()`, evenly spaced, whatever the chord tolerance}
+  ///     \cgalParamType{a number type, convertible to `double`; positive}
+  ///     \cgalParamDefault{none: the points depend on the chord tolerance}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{smooth_normals}
+  ///     \cgalParamDescription{whether normals are those of `Geodesic_offset_curve::smooth_normal()`, interpolated between vertices,
+  ///                           instead of those of faces}
+  ///     \cgalParamType{`bool`}
+  ///     \cgalParamDefault{`false`}
+  ///   \cgalParamNEnd
   /// \cgalNamedParamsEnd
   ///
-  /// \throws std::invalid_argument unless `supports(format)` and `chord_tolerance > 0`; then nothing has been written
+  /// \throws std::invalid_argument unless `supports(format)`, and `chord_tolerance` and `point_spacing` are positive; then nothing has been written
   template <class NamedParameters>
   Offset_level_writer(std::ostream& os, Offset_file_format format, const NamedParameters& np)
-    : m_os(os), m_tolerance(Surface_mesh_geodesic_offset_internal::required_chord_tolerance(np))
+    : m_os(os), m_options(Surface_mesh_geodesic_offset_internal::required_point_options(np))
   {
     using namespace Surface_mesh_geodesic_offset_internal;
     if (!supports(format)) throw std::invalid_argument("Surface_mesh_geodesic_offset: the format cannot be written in parts");
-    Geodesic_offset::internal::check_chord_tolerance(m_tolerance);
+    check_point_options(m_options);
     if (format == Offset_file_format::VTP) m_lines = Vtp_lines();
     else if (format == Offset_file_format::OBJ) m_lines = Obj_lines();
     else if (format == Offset_file_format::CSV) m_lines = Csv_lines();
@@ -89,8 +101,8 @@ public:
   bool write(const OffsetCurveRange& curves)
   {
     CGAL_precondition(!m_is_finished);
-    Geodesic_offset::internal::check_all_numbers_of_chords(curves, m_tolerance); // before any output
-    std::visit([&](auto& lines) { lines.add(m_os, curves, m_tolerance); }, m_lines);
+    Surface_mesh_geodesic_offset_internal::check_numbers_of_points(curves, m_options); // before any output
+    std::visit([&](auto& lines) { lines.add(m_os, curves, m_options); }, m_lines);
     return m_os.good();
   }
 
@@ -107,7 +119,7 @@ public:
 
 private:
   std::ostream& m_os;
-  const double m_tolerance;
+  const Surface_mesh_geodesic_offset_internal::Point_options m_options;
   std::variant<Surface_mesh_geodesic_offset_internal::Polyline_lines, Surface_mesh_geodesic_offset_internal::Vtp_lines,
                Surface_mesh_geodesic_offset_internal::Obj_lines, Surface_mesh_geodesic_offset_internal::Csv_lines>
     m_lines;

@@ -20,21 +20,25 @@ namespace Surface_mesh_geodesic_offset_internal {
 class Csv_lines
 {
 public:
-  static void begin(std::ostream& os) { os << "curve,distance,source,side,x,y,z,nx,ny,nz\n"; }
+  static void begin(std::ostream& os) { os << "curve,distance,source,side,x,y,z,nx,ny,nz,face,b0,b1,b2,tx,ty,tz\n"; }
 
-  template <class OffsetCurveRange, class FT>
-  void add(std::ostream& os, const OffsetCurveRange& curves, const FT& chord_tolerance)
+  template <class OffsetCurveRange>
+  void add(std::ostream& os, const OffsetCurveRange& curves, const Point_options& options)
   {
     const Full_precision precision(os);
     for (const auto& curve : curves)
     {
-      const Curve_line line = curve_line(curve, chord_tolerance);
+      const Curve_line line = curve_line(curve, options);
       for (std::size_t k = 0; k < line.number_of_indices(); ++k)
       {
-        const std::size_t i = line.index(k);
-        os << m_curve << ',' << line.distance << ',' << line.sources[i] << ',' << line.sides[i];
-        for (const Coordinates& c : {line.points[i], line.normals[i]})
-          for (double x : c) os << ',' << x;
+        const Line_point& p = line.points[line.index(k)];
+        const auto write = [&os](const Coordinates& c) { os << ',' << c[0] << ',' << c[1] << ',' << c[2]; };
+        os << m_curve << ',' << line.distance << ',' << p.source << ',' << p.side;
+        write(p.point);
+        write(p.normal);
+        os << ',' << p.face;
+        write(p.weights);
+        write(p.tangent);
         os << '\n';
       }
       ++m_curve;
@@ -60,12 +64,17 @@ Each row is a point of a curve, in order. The columns are
 - `source` (the id of the source) and `side` (0 none, 1 left, 2 right, 3 cap, as in `Source_side`) at the point. A point between
   two pieces has the values of the first piece; each segment of a curve belongs to one source and one side: those of its end point;
 - `x`, `y`, `z`: the point;
-- `nx`, `ny`, `nz`: the outer unit normal of the face of the point; at a point between two pieces, that of the first piece.
+- `nx`, `ny`, `nz`: the outer unit normal of the face of the point, or the smooth normal; at a point between two pieces, that of the
+  first piece;
+- `face`, `b0`, `b1`, `b2`: the index of the face of the first piece, `Geodesic_offset_piece::face_index()`, and the barycentric
+  coordinates of the point with respect to its vertices, in the order of `vertices_around_face(halfedge(face, tm), tm)`: for
+  `Surface_mesh`, that in which the face was added;
+- `tx`, `ty`, `tz`: the unit vector in the direction of travel, at the end of the first piece.
 
 \tparam OffsetCurveRange a model of `ConstRange` with `Surface_mesh_geodesic_offset::Offset_curve` as value type
 \param os the stream
 \param curves the curves
-\param np an optional named parameter
+\param np an optional sequence of named parameters among those listed below
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{chord_tolerance}
@@ -73,18 +82,31 @@ Each row is a point of a curve, in order. The columns are
     \cgalParamType{a number type, convertible to `double`; positive}
     \cgalParamDefault{that of `write_offset_curves()`}
   \cgalParamNEnd
+  \cgalParamNBegin{point_spacing}
+    \cgalParamDescription{the largest distance between consecutive points along the curve: the points are those of
+                          `Geodesic_offset_curve::points_at_spacing()`, evenly spaced, whatever the chord tolerance}
+    \cgalParamType{a number type, convertible to `double`; positive}
+    \cgalParamDefault{none: the points depend on the chord tolerance}
+  \cgalParamNEnd
+  \cgalParamNBegin{smooth_normals}
+    \cgalParamDescription{whether normals are those of `Geodesic_offset_curve::smooth_normal()`, interpolated between vertices,
+                          instead of those of faces}
+    \cgalParamType{`bool`}
+    \cgalParamDefault{`false`}
+  \cgalParamNEnd
 \cgalNamedParamsEnd
 
 \return whether the stream is still good.
-\throws std::invalid_argument unless `chord_tolerance > 0`; then nothing has been written
-\throws std::length_error as `Geodesic_offset_curve::points()`; then nothing has been written
+\throws std::invalid_argument unless `chord_tolerance` and `point_spacing` are positive; then nothing has been written
+\throws std::length_error as `Geodesic_offset_curve::points()` and `points_at_spacing()`; then nothing has been written
 */
 template <class OffsetCurveRange, class NamedParameters = parameters::Default_named_parameters>
 bool write_offset_CSV(std::ostream& os, const OffsetCurveRange& curves,
                       const NamedParameters& np = parameters::default_values())
 {
   return Surface_mesh_geodesic_offset_internal::write_lines<Surface_mesh_geodesic_offset_internal::Csv_lines>(
-    os, curves, Surface_mesh_geodesic_offset_internal::chord_tolerance_of(curves, np));
+    os, curves,
+    Surface_mesh_geodesic_offset_internal::point_options_of<Geodesic_offset::internal::Point_parameters>(curves, np));
 }
 
 } // namespace IO

@@ -58,14 +58,14 @@ Dxf_polyline flat_polyline(const Curve& curve, const Plane_of_faces& plane)
 }
 
 // The entity of a curve that is not empty.
-template <class Curve, class FT>
-Dxf_polyline dxf_polyline(const Curve& curve, const FT& chord_tolerance, std::size_t layer)
+template <class Curve>
+Dxf_polyline dxf_polyline(const Curve& curve, double chord_tolerance, std::size_t layer)
 {
   const Plane_of_faces plane([&curve](const auto& f) { for_each_face(curve, f); });
   Dxf_polyline p;
   if (plane.is_exact()) p = flat_polyline(curve, plane);
   else
-    for (const Coordinates& c : discretized(curve, chord_tolerance).points) p.vertices.push_back({c, 0});
+    for (const Coordinates& c : points_of(curve, chord_tolerance)) p.vertices.push_back({c, 0});
   p.is_flat = plane.is_exact();
   p.is_closed = curve.is_closed();
   p.layer = layer;
@@ -118,9 +118,9 @@ bool write_offset_DXF(std::ostream& os, const OffsetCurveRange& curves,
                       const NamedParameters& np = parameters::default_values())
 {
   namespace internal = Surface_mesh_geodesic_offset_internal;
-  const double chord_tolerance = internal::chord_tolerance_of<Geodesic_offset::internal::Writing_parameters>(curves, np);
-  const Length_unit unit = internal::length_unit_of<Geodesic_offset::internal::Writing_parameters>(np);
-  Geodesic_offset::internal::check_all_numbers_of_chords(curves, chord_tolerance); // before any output
+  const double chord_tolerance = internal::chord_tolerance_of<Geodesic_offset::internal::Drawing_parameters>(curves, np);
+  const Length_unit unit = internal::length_unit_of<Geodesic_offset::internal::Drawing_parameters>(np);
+  internal::check_numbers_of_points(curves, chord_tolerance); // before any output
   std::vector<std::string> layers;
   std::map<std::string, std::size_t> layer_of;
   std::vector<internal::Dxf_polyline> polylines;

@@ -24,8 +24,8 @@ class Obj_lines
 public:
   static void begin(std::ostream& os) { os << "# geodesic offsets\n"; }
 
-  template <class OffsetCurveRange, class FT>
-  void add(std::ostream& os, const OffsetCurveRange& curves, const FT& chord_tolerance)
+  template <class OffsetCurveRange>
+  void add(std::ostream& os, const OffsetCurveRange& curves, const Point_options& options)
   {
     const Full_precision precision(os);
     for (const auto& curve : curves)
@@ -33,7 +33,7 @@ public:
       const std::string distance = short_number(CGAL::to_double(curve.distance()));
       if (distance != m_group) os << "g offset_" << distance << '\n';
       m_group = distance;
-      auto points = discretized(curve, chord_tolerance).points;
+      auto points = points_of(curve, options);
       const bool closed = curve.is_closed() && !points.empty();
       if (closed) points.pop_back();
       for (const auto& p : points)
@@ -70,7 +70,7 @@ range. A closed line ends with the index of its first point.
 \tparam OffsetCurveRange a model of `ConstRange` with `Surface_mesh_geodesic_offset::Offset_curve` as value type
 \param os the stream
 \param curves the curves
-\param np an optional named parameter
+\param np an optional sequence of named parameters among those listed below
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{chord_tolerance}
@@ -78,18 +78,25 @@ range. A closed line ends with the index of its first point.
     \cgalParamType{a number type, convertible to `double`; positive}
     \cgalParamDefault{that of `write_offset_curves()`}
   \cgalParamNEnd
+  \cgalParamNBegin{point_spacing}
+    \cgalParamDescription{the largest distance between consecutive points along the curve: the points are those of
+                          `Geodesic_offset_curve::points_at_spacing()`, evenly spaced, whatever the chord tolerance}
+    \cgalParamType{a number type, convertible to `double`; positive}
+    \cgalParamDefault{none: the points depend on the chord tolerance}
+  \cgalParamNEnd
 \cgalNamedParamsEnd
 
 \return whether the stream is still good.
-\throws std::invalid_argument unless `chord_tolerance > 0`; then nothing has been written
-\throws std::length_error as `Geodesic_offset_curve::points()`; then nothing has been written
+\throws std::invalid_argument unless `chord_tolerance` and `point_spacing` are positive; then nothing has been written
+\throws std::length_error as `Geodesic_offset_curve::points()` and `points_at_spacing()`; then nothing has been written
 */
 template <class OffsetCurveRange, class NamedParameters = parameters::Default_named_parameters>
 bool write_offset_OBJ(std::ostream& os, const OffsetCurveRange& curves,
                       const NamedParameters& np = parameters::default_values())
 {
   return Surface_mesh_geodesic_offset_internal::write_lines<Surface_mesh_geodesic_offset_internal::Obj_lines>(
-    os, curves, Surface_mesh_geodesic_offset_internal::chord_tolerance_of(curves, np));
+    os, curves,
+    Surface_mesh_geodesic_offset_internal::point_options_of<Geodesic_offset::internal::Line_parameters>(curves, np));
 }
 
 } // namespace IO

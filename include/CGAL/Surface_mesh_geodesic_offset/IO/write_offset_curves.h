@@ -33,39 +33,39 @@ template <class CurveRange>
 class Offset_curves_writer
 {
 public:
-  // \throws std::invalid_argument if the curves cannot be written in this format, or if the tolerance is not positive
-  // \throws std::length_error if it is so small that a curve has too many chords
+  // \throws std::invalid_argument if the curves cannot be written in this format, or if the tolerance or the spacing is not positive
+  // \throws std::length_error if it is so small that a curve has too many points
   template <class NamedParameters>
   Offset_curves_writer(Offset_file_format format, const CurveRange& curves, const NamedParameters& np)
     : m_curves(curves), m_format(format),
-      m_tolerance(chord_tolerance_of<Geodesic_offset::internal::Writing_parameters>(curves, np)),
+      m_options(point_options_of<Geodesic_offset::internal::Writing_parameters>(curves, np)),
       m_unit(length_unit_of<Geodesic_offset::internal::Writing_parameters>(np))
   {
-    using namespace Geodesic_offset::internal;
-    check_chord_tolerance(m_tolerance);
+    check_point_options(m_options);
     if (format == Offset_file_format::SVG) plane_of_curves(curves);
-    else check_all_numbers_of_chords(curves, m_tolerance);
+    else if (format == Offset_file_format::DXF) check_numbers_of_points(curves, m_options.chord_tolerance);
+    else check_numbers_of_points(curves, m_options);
   }
 
   bool write(std::ostream& os) const
   {
-    const auto chord = parameters::chord_tolerance(m_tolerance);
+    const auto unit = parameters::length_unit(m_unit);
     switch (m_format)
     {
-    case Offset_file_format::VTK: return write_offset_VTK(os, m_curves, chord);
-    case Offset_file_format::VTP: return write_offset_VTP(os, m_curves, chord);
-    case Offset_file_format::CSV: return write_offset_CSV(os, m_curves, chord);
-    case Offset_file_format::OBJ: return write_offset_OBJ(os, m_curves, chord);
-    case Offset_file_format::DXF: return write_offset_DXF(os, m_curves, chord.length_unit(m_unit));
-    case Offset_file_format::SVG: return write_offset_SVG(os, m_curves, parameters::length_unit(m_unit));
-    default: return write_offset_polylines(os, m_curves, chord);
+    case Offset_file_format::VTK: return write_vtk(os, m_curves, m_options);
+    case Offset_file_format::VTP: return write_lines<Vtp_lines>(os, m_curves, m_options);
+    case Offset_file_format::CSV: return write_lines<Csv_lines>(os, m_curves, m_options);
+    case Offset_file_format::OBJ: return write_lines<Obj_lines>(os, m_curves, m_options);
+    case Offset_file_format::DXF: return write_offset_DXF(os, m_curves, unit.chord_tolerance(m_options.chord_tolerance));
+    case Offset_file_format::SVG: return write_offset_SVG(os, m_curves, unit);
+    default: return write_lines<Polyline_lines>(os, m_curves, m_options);
     }
   }
 
 private:
   const CurveRange& m_curves;
   const Offset_file_format m_format;
-  const double m_tolerance;
+  const Point_options m_options;
   const Length_unit m_unit;
 };
 
@@ -91,6 +91,18 @@ private:
     \cgalParamType{a number type, convertible to `double`; positive}
     \cgalParamDefault{1e-4 of the diagonal of the bounding box of the end points of all pieces}
   \cgalParamNEnd
+  \cgalParamNBegin{point_spacing}
+    \cgalParamDescription{the largest distance between consecutive points along the curve: the points are those of
+                          `Geodesic_offset_curve::points_at_spacing()`, evenly spaced, whatever the chord tolerance. The parameter does not affect DXF and SVG files.}
+    \cgalParamType{a number type, convertible to `double`; positive}
+    \cgalParamDefault{none: the points depend on the chord tolerance}
+  \cgalParamNEnd
+  \cgalParamNBegin{smooth_normals}
+    \cgalParamDescription{whether normals are those of `Geodesic_offset_curve::smooth_normal()`, interpolated between vertices,
+                          instead of those of faces; for the formats with normals: VTK, VTP and CSV}
+    \cgalParamType{`bool`}
+    \cgalParamDefault{`false`}
+  \cgalParamNEnd
   \cgalParamNBegin{length_unit}
     \cgalParamDescription{the unit of the mesh, for DXF and SVG; other formats have no unit}
     \cgalParamType{`IO::Length_unit`}
@@ -99,9 +111,9 @@ private:
 \cgalNamedParamsEnd
 
 \return whether the stream is still good.
-\throws std::invalid_argument if the chord tolerance is not positive, or if the format is SVG and the curves do not lie in one
+\throws std::invalid_argument if the chord tolerance or the spacing is not positive, or if the format is SVG and the curves do not lie in one
         plane; then nothing has been written
-\throws std::length_error as `Geodesic_offset_curve::points()`, unless the format is SVG; then nothing has been written
+\throws std::length_error as `Geodesic_offset_curve::points()` and `points_at_spacing()`, unless the format is SVG; then nothing has been written
 */
 template <class OffsetCurveRange, class NamedParameters = parameters::Default_named_parameters>
 bool write_offset_curves(std::ostream& os, Offset_file_format format, const OffsetCurveRange& curves,

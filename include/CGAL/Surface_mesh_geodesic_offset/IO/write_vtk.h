@@ -14,63 +14,25 @@
 #include <vector>
 
 namespace CGAL::IO {
-/*!
-\ingroup PkgSurfaceMeshGeodesicOffsetIO
+namespace Surface_mesh_geodesic_offset_internal {
 
-\brief writes offset curves as lines of a legacy VTK file (ASCII, polydata), for ParaView and other users of VTK.
-
-Each curve is one line. A closed line ends with the index of its first point. The arrays are
-- for lines: `distance`, `closed` (1 or 0), `source` (the id of the source), and `side` (0 none, 1 left, 2 right, 3 cap,
-  as in `Source_side`). The last two are -1 if a curve belongs to several sources or sides;
-- for points: `source`, `side`, and `normal`, the outer unit normal of the face. A point between two pieces has the values
-  of the first piece. Independent of the tolerance, all points where source or side change are points of the line, so each
-  segment of a line belongs to one source and one side: those of its end point.
-
-`distance` is the active array. The arrays for lines serve to select curves, for instance by a threshold, those for points
-to colour the curves.
-
-\tparam OffsetCurveRange a model of `ConstRange` with `Surface_mesh_geodesic_offset::Offset_curve` as value type
-\param os the stream
-\param curves the curves
-\param np an optional named parameter
-
-\cgalNamedParamsBegin
-  \cgalParamNBegin{chord_tolerance}
-    \cgalParamDescription{the largest distance of a line from its curve, in the units of the mesh's points}
-    \cgalParamType{a number type, convertible to `double`; positive}
-    \cgalParamDefault{that of `write_offset_curves()`}
-  \cgalParamNEnd
-\cgalNamedParamsEnd
-
-\return whether the stream is still good.
-\throws std::invalid_argument unless `chord_tolerance > 0`; then nothing has been written
-\throws std::length_error as `Geodesic_offset_curve::points()`; then nothing has been written
-*/
-template <class OffsetCurveRange, class NamedParameters = parameters::Default_named_parameters>
-bool write_offset_VTK(std::ostream& os, const OffsetCurveRange& curves,
-                      const NamedParameters& np = parameters::default_values())
+// The number of points precedes the points.
+template <class OffsetCurveRange>
+bool write_vtk(std::ostream& os, const OffsetCurveRange& curves, const Point_options& options)
 {
-  namespace internal = Surface_mesh_geodesic_offset_internal;
-  const double chord_tolerance = internal::chord_tolerance_of(curves, np);
-  Geodesic_offset::internal::check_all_numbers_of_chords(curves, chord_tolerance); // before any output
-  const internal::Full_precision precision(os);
-
-  // the total number of points precedes the points
-  const std::vector<internal::Curve_line> lines = internal::curve_lines(curves, chord_tolerance);
+  check_numbers_of_points(curves, options); // before any output
+  const Full_precision precision(os);
+  const std::vector<Curve_line> lines = curve_lines(curves, options);
   std::size_t number_of_points = 0, number_of_indices = 0;
   for (const auto& line : lines)
   {
     number_of_points += line.points.size();
     number_of_indices += line.number_of_indices();
   }
+  const auto write = [&](const auto& values) { write_values(os, lines, values); };
 
   os << "# vtk DataFile Version 3.0\ngeodesic offsets\nASCII\nDATASET POLYDATA\nPOINTS " << number_of_points << " double\n";
-  for (const auto& line : lines)
-    for (const auto& p : line.points)
-    {
-      internal::write_coordinates(os, p);
-      os << '\n';
-    }
+  write(&Line_point::point);
   if (lines.empty()) return os.good();
 
   os << "LINES " << lines.size() << ' ' << lines.size() + number_of_indices << '\n';
@@ -89,24 +51,78 @@ bool write_offset_VTK(std::ostream& os, const OffsetCurveRange& curves,
   os << "FIELD curves 3\nclosed 1 " << lines.size() << " int\n";
   for (const auto& line : lines) os << (line.is_closed ? 1 : 0) << '\n';
   os << "source 1 " << lines.size() << " int\n";
-  for (const auto& line : lines) os << internal::common_value(line.sources) << '\n';
+  for (const auto& line : lines) os << line.common(&Line_point::source) << '\n';
   os << "side 1 " << lines.size() << " int\n";
-  for (const auto& line : lines) os << internal::common_value(line.sides) << '\n';
+  for (const auto& line : lines) os << line.common(&Line_point::side) << '\n';
 
-  os << "POINT_DATA " << number_of_points << "\nFIELD points 2\nsource 1 " << number_of_points << " int\n";
-  for (const auto& line : lines)
-    for (std::size_t source : line.sources) os << source << '\n';
+  os << "POINT_DATA " << number_of_points << "\nFIELD points 5\nsource 1 " << number_of_points << " int\n";
+  write(&Line_point::source);
   os << "side 1 " << number_of_points << " int\n";
-  for (const auto& line : lines)
-    for (int side : line.sides) os << side << '\n';
+  write(&Line_point::side);
+  os << "face 1 " << number_of_points << " int\n";
+  write(&Line_point::face);
+  os << "barycentric 3 " << number_of_points << " double\n";
+  write(&Line_point::weights);
+  os << "tangent 3 " << number_of_points << " double\n";
+  write(&Line_point::tangent);
   os << "NORMALS normal double\n";
-  for (const auto& line : lines)
-    for (const auto& n : line.normals)
-    {
-      internal::write_coordinates(os, n);
-      os << '\n';
-    }
+  write(&Line_point::normal);
   return os.good();
+}
+
+} // namespace Surface_mesh_geodesic_offset_internal
+
+/*!
+\ingroup PkgSurfaceMeshGeodesicOffsetIO
+
+\brief writes offset curves as lines of a legacy VTK file (ASCII, polydata), for ParaView and other users of VTK.
+
+Each curve is one line. A closed line ends with the index of its first point. The arrays are
+- for lines: `distance`, `closed` (1 or 0), `source` (the id of the source), and `side` (0 none, 1 left, 2 right, 3 cap,
+  as in `Source_side`). The last two are -1 if a curve belongs to several sources or sides;
+- for points: `source`, `side`, `normal` (the outer unit normal of the face, or the smooth normal), `tangent` (the unit vector in the
+  direction of travel), `face` and `barycentric` (the index of the face, and the coordinates in it, as in `write_offset_CSV()`).
+  A point between two pieces has the values of the first piece. Independent of the tolerance, but not with a spacing, all points where source or side change are points of the line, so each
+  segment of a line belongs to one source and one side: those of its end point.
+
+`distance` is the active array. The arrays for lines serve to select curves, for instance by a threshold, those for points
+to colour the curves.
+
+\tparam OffsetCurveRange a model of `ConstRange` with `Surface_mesh_geodesic_offset::Offset_curve` as value type
+\param os the stream
+\param curves the curves
+\param np an optional sequence of named parameters among those listed below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{chord_tolerance}
+    \cgalParamDescription{the largest distance of a line from its curve, in the units of the mesh's points}
+    \cgalParamType{a number type, convertible to `double`; positive}
+    \cgalParamDefault{that of `write_offset_curves()`}
+  \cgalParamNEnd
+  \cgalParamNBegin{point_spacing}
+    \cgalParamDescription{the largest distance between consecutive points along the curve: the points are those of
+                          `Geodesic_offset_curve::points_at_spacing()`, evenly spaced, whatever the chord tolerance}
+    \cgalParamType{a number type, convertible to `double`; positive}
+    \cgalParamDefault{none: the points depend on the chord tolerance}
+  \cgalParamNEnd
+  \cgalParamNBegin{smooth_normals}
+    \cgalParamDescription{whether normals are those of `Geodesic_offset_curve::smooth_normal()`, interpolated between vertices,
+                          instead of those of faces}
+    \cgalParamType{`bool`}
+    \cgalParamDefault{`false`}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\return whether the stream is still good.
+\throws std::invalid_argument unless `chord_tolerance` and `point_spacing` are positive; then nothing has been written
+\throws std::length_error as `Geodesic_offset_curve::points()` and `points_at_spacing()`; then nothing has been written
+*/
+template <class OffsetCurveRange, class NamedParameters = parameters::Default_named_parameters>
+bool write_offset_VTK(std::ostream& os, const OffsetCurveRange& curves,
+                      const NamedParameters& np = parameters::default_values())
+{
+  namespace internal = Surface_mesh_geodesic_offset_internal;
+  return internal::write_vtk(os, curves, internal::point_options_of<Geodesic_offset::internal::Point_parameters>(curves, np));
 }
 
 } // namespace CGAL::IO

@@ -11,6 +11,7 @@
 
 #include <cstddef>
 #include <ostream>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -26,27 +27,36 @@ public:
     os << "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\">\n<PolyData>\n";
   }
 
-  template <class OffsetCurveRange, class FT>
-  static void add(std::ostream& os, const OffsetCurveRange& curves, const FT& chord_tolerance)
+  template <class OffsetCurveRange>
+  static void add(std::ostream& os, const OffsetCurveRange& curves, const Point_options& options)
   {
     const Full_precision precision(os);
-    const std::vector<Curve_line> lines = curve_lines(curves, chord_tolerance);
+    const std::vector<Curve_line> lines = curve_lines(curves, options);
     std::size_t number_of_points = 0;
     for (const Curve_line& line : lines) number_of_points += line.points.size();
+    const auto write_points = [&](const char* attributes, auto value) {
+      constexpr bool is_vector = std::is_same<decltype(value), Coordinates Line_point::*>::value;
+      begin_array(os, is_vector ? "Float64" : "Int64", attributes);
+      write_values(os, lines, value);
+      end_array(os);
+    };
 
     os << "<Piece NumberOfPoints=\"" << number_of_points << "\" NumberOfVerts=\"0\" NumberOfLines=\"" << lines.size()
        << "\" NumberOfStrips=\"0\" NumberOfPolys=\"0\">\n<PointData Normals=\"normal\">\n";
-    write_array(os, lines, "Int64", "Name=\"source\"", [&](const Curve_line& l) { write_numbers(os, l.sources); });
-    write_array(os, lines, "Int64", "Name=\"side\"", [&](const Curve_line& l) { write_numbers(os, l.sides); });
-    write_array(os, lines, "Float64", "Name=\"normal\" NumberOfComponents=\"3\"",
-                [&](const Curve_line& l) { write_points(os, l.normals); });
+    write_points("Name=\"source\"", &Line_point::source);
+    write_points("Name=\"side\"", &Line_point::side);
+    write_points("Name=\"face\"", &Line_point::face);
+    write_points("Name=\"barycentric\" NumberOfComponents=\"3\"", &Line_point::weights);
+    write_points("Name=\"tangent\" NumberOfComponents=\"3\"", &Line_point::tangent);
+    write_points("Name=\"normal\" NumberOfComponents=\"3\"", &Line_point::normal);
     os << "</PointData>\n<CellData Scalars=\"distance\">\n";
     write_array(os, lines, "Float64", "Name=\"distance\"", [&](const Curve_line& l) { os << l.distance << '\n'; });
     write_array(os, lines, "Int64", "Name=\"closed\"", [&](const Curve_line& l) { os << (l.is_closed ? 1 : 0) << '\n'; });
-    write_array(os, lines, "Int64", "Name=\"source\"", [&](const Curve_line& l) { os << common_value(l.sources) << '\n'; });
-    write_array(os, lines, "Int64", "Name=\"side\"", [&](const Curve_line& l) { os << common_value(l.sides) << '\n'; });
+    write_array(os, lines, "Int64", "Name=\"source\"",
+                [&](const Curve_line& l) { os << l.common(&Line_point::source) << '\n'; });
+    write_array(os, lines, "Int64", "Name=\"side\"", [&](const Curve_line& l) { os << l.common(&Line_point::side) << '\n'; });
     os << "</CellData>\n<Points>\n";
-    write_array(os, lines, "Float64", "NumberOfComponents=\"3\"", [&](const Curve_line& l) { write_points(os, l.points); });
+    write_points("NumberOfComponents=\"3\"", &Line_point::point);
     os << "</Points>\n<Lines>\n";
     std::size_t first = 0, end = 0;
     write_array(os, lines, "Int64", "Name=\"connectivity\"", [&](const Curve_line& l) {
@@ -61,28 +71,20 @@ public:
   static void end(std::ostream& os) { os << "</PolyData>\n</VTKFile>\n"; }
 
 private:
+  static void begin_array(std::ostream& os, const char* type, const char* attributes)
+  {
+    os << "<DataArray type=\"" << type << "\" " << attributes << " format=\"ascii\">\n";
+  }
+
+  static void end_array(std::ostream& os) { os << "</DataArray>\n"; }
+
   template <class Write>
   static void write_array(std::ostream& os, const std::vector<Curve_line>& lines, const char* type, const char* attributes,
                           const Write& write)
   {
-    os << "<DataArray type=\"" << type << "\" " << attributes << " format=\"ascii\">\n";
+    begin_array(os, type, attributes);
     for (const Curve_line& line : lines) write(line);
-    os << "</DataArray>\n";
-  }
-
-  template <class Number>
-  static void write_numbers(std::ostream& os, const std::vector<Number>& numbers)
-  {
-    for (const Number& x : numbers) os << x << '\n';
-  }
-
-  static void write_points(std::ostream& os, const std::vector<Coordinates>& points)
-  {
-    for (const Coordinates& p : points)
-    {
-      write_coordinates(os, p);
-      os << '\n';
-    }
+    end_array(os);
   }
 };
 
@@ -99,7 +101,7 @@ see `Offset_level_writer`; each level is then a piece of the file, which readers
 \tparam OffsetCurveRange a model of `ConstRange` with `Surface_mesh_geodesic_offset::Offset_curve` as value type
 \param os the stream
 \param curves the curves
-\param np an optional named parameter
+\param np an optional sequence of named parameters among those listed below
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{chord_tolerance}
@@ -107,18 +109,31 @@ see `Offset_level_writer`; each level is then a piece of the file, which readers
     \cgalParamType{a number type, convertible to `double`; positive}
     \cgalParamDefault{that of `write_offset_curves()`}
   \cgalParamNEnd
+  \cgalParamNBegin{point_spacing}
+    \cgalParamDescription{the largest distance between consecutive points along the curve: the points are those of
+                          `Geodesic_offset_curve::points_at_spacing()`, evenly spaced, whatever the chord tolerance}
+    \cgalParamType{a number type, convertible to `double`; positive}
+    \cgalParamDefault{none: the points depend on the chord tolerance}
+  \cgalParamNEnd
+  \cgalParamNBegin{smooth_normals}
+    \cgalParamDescription{whether normals are those of `Geodesic_offset_curve::smooth_normal()`, interpolated between vertices,
+                          instead of those of faces}
+    \cgalParamType{`bool`}
+    \cgalParamDefault{`false`}
+  \cgalParamNEnd
 \cgalNamedParamsEnd
 
 \return whether the stream is still good.
-\throws std::invalid_argument unless `chord_tolerance > 0`; then nothing has been written
-\throws std::length_error as `Geodesic_offset_curve::points()`; then nothing has been written
+\throws std::invalid_argument unless `chord_tolerance` and `point_spacing` are positive; then nothing has been written
+\throws std::length_error as `Geodesic_offset_curve::points()` and `points_at_spacing()`; then nothing has been written
 */
 template <class OffsetCurveRange, class NamedParameters = parameters::Default_named_parameters>
 bool write_offset_VTP(std::ostream& os, const OffsetCurveRange& curves,
                       const NamedParameters& np = parameters::default_values())
 {
   return Surface_mesh_geodesic_offset_internal::write_lines<Surface_mesh_geodesic_offset_internal::Vtp_lines>(
-    os, curves, Surface_mesh_geodesic_offset_internal::chord_tolerance_of(curves, np));
+    os, curves,
+    Surface_mesh_geodesic_offset_internal::point_options_of<Geodesic_offset::internal::Point_parameters>(curves, np));
 }
 
 } // namespace IO

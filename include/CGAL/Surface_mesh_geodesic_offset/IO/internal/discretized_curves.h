@@ -14,14 +14,18 @@
 #include <CGAL/Bbox_3.h>
 #include <CGAL/number_utils.h>
 
+#include <boost/iterator/function_output_iterator.hpp>
+
 #include <array>
 #include <cstddef>
 #include <ios>
 #include <limits>
 #include <locale>
+#include <optional>
 #include <ostream>
 #include <sstream>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL::IO::Surface_mesh_geodesic_offset_internal {
@@ -85,17 +89,51 @@ inline Bbox_3 bbox(const Coordinates& p) { return Bbox_3(p[0], p[1], p[2], p[0],
 
 inline void write_coordinates(std::ostream& os, const Coordinates& p) { os << p[0] << ' ' << p[1] << ' ' << p[2]; }
 
+// Which points of curves are written.
+struct Point_options
+{
+  Point_options(double tolerance = 0) : chord_tolerance(tolerance) {}
+
+  double chord_tolerance;
+  std::optional<double> spacing; // instead of the tolerance
+  bool has_smooth_normals = false;
+};
+
+// \throws std::invalid_argument unless the tolerance and the spacing are positive
+inline void check_point_options(const Point_options& options)
+{
+  Geodesic_offset::internal::check_chord_tolerance(options.chord_tolerance);
+  if (options.spacing) Geodesic_offset::internal::check_point_spacing(*options.spacing);
+}
+
+// Before any output.
+// \throws std::invalid_argument as check_point_options()
+// \throws std::length_error if a curve has too many points
+template <class CurveRange>
+void check_numbers_of_points(const CurveRange& curves, const Point_options& options)
+{
+  namespace internal = Geodesic_offset::internal;
+  check_point_options(options);
+  for (const auto& curve : curves)
+  {
+    typedef typename std::decay<decltype(curve)>::type::FT FT;
+    if (options.spacing) internal::number_of_parts(curve, FT(*options.spacing));
+    else internal::check_number_of_chords(curve, FT(options.chord_tolerance));
+  }
+}
+
 // Points of a curve within a tolerance, with the index of the piece of each point; a point between two pieces belongs to
 // the first of them. A closed curve repeats its first point.
 struct Discretized_curve
 {
   std::vector<Coordinates> points;
   std::vector<std::size_t> pieces;
+  std::vector<double> parameters; // in the pieces
 };
 
 // is_kept(i): whether the end of piece i must be a point.
-template <class Curve, class FT, class Condition>
-Discretized_curve discretized(const Curve& curve, const FT& chord_tolerance, const Condition& is_kept)
+template <class Curve, class Condition>
+Discretized_curve discretized(const Curve& curve, double chord_tolerance, const Condition& is_kept)
 {
   Discretized_curve result;
   const Geodesic_offset::internal::Curve_thinning<Curve> thinning(curve, typename Curve::FT(chord_tolerance));
@@ -103,24 +141,30 @@ Discretized_curve discretized(const Curve& curve, const FT& chord_tolerance, con
   {
     result.points.push_back(coordinates(curve.point(p.location(curve))));
     result.pieces.push_back(p.piece);
+    result.parameters.push_back(double(p.part) / double(p.parts));
   }
   return result;
 }
 
-template <class Curve, class FT>
-Discretized_curve discretized(const Curve& curve, const FT& chord_tolerance)
+// The points alone.
+template <class Curve>
+std::vector<Coordinates> points_of(const Curve& curve, const Point_options& options)
 {
-  return discretized(curve, chord_tolerance, [](std::size_t) { return false; });
+  if (!options.spacing) return discretized(curve, options.chord_tolerance, [](std::size_t) { return false; }).points;
+  std::vector<Coordinates> points;
+  const auto add = [&points](const auto& p) { points.push_back(coordinates(p.point)); };
+  curve.points_at_spacing(typename Curve::FT(*options.spacing), boost::make_function_output_iterator(add));
+  return points;
 }
 
 // Writes a whole file. Lines: the writer of a format for several ranges of curves.
-template <class Lines, class CurveRange, class FT>
-bool write_lines(std::ostream& os, const CurveRange& curves, const FT& chord_tolerance)
+template <class Lines, class CurveRange>
+bool write_lines(std::ostream& os, const CurveRange& curves, const Point_options& options)
 {
-  Geodesic_offset::internal::check_all_numbers_of_chords(curves, chord_tolerance); // before any output
+  check_numbers_of_points(curves, options); // before any output
   Lines lines;
   lines.begin(os);
-  lines.add(os, curves, chord_tolerance);
+  lines.add(os, curves, options);
   lines.end(os);
   return os.good();
 }

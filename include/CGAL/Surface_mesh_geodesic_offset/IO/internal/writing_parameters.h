@@ -34,25 +34,48 @@ double default_chord_tolerance(const CurveRange& curves)
   return std::isfinite(size) && size > 0 ? Geodesic_offset::internal::default_chord_tolerance * size : 1;
 }
 
+// Without chord_tolerance().
 template <class NamedParameters>
-double required_chord_tolerance(const NamedParameters& np)
+Point_options other_point_options(const NamedParameters& np)
+{
+  Point_options options;
+  if constexpr (Geodesic_offset::internal::has_parameter<internal_np::geodesic_point_spacing_t, NamedParameters>)
+    options.spacing = CGAL::to_double(parameters::get_parameter(np, internal_np::geodesic_point_spacing));
+  options.has_smooth_normals =
+    parameters::choose_parameter(parameters::get_parameter(np, internal_np::geodesic_smooth_normals), false);
+  return options;
+}
+
+// For functions that do not know the curves yet.
+template <class NamedParameters>
+Point_options required_point_options(const NamedParameters& np)
 {
   namespace internal = Geodesic_offset::internal;
-  internal::check_named_parameters<internal::Chord_parameters, NamedParameters>();
+  internal::check_named_parameters<internal::Point_parameters, NamedParameters>();
   constexpr bool is_given = internal::has_parameter<internal_np::geodesic_chord_tolerance_t, NamedParameters>;
   static_assert(is_given, "Surface_mesh_geodesic_offset: this function needs the named parameter chord_tolerance()");
-  if constexpr (is_given) return CGAL::to_double(parameters::get_parameter(np, internal_np::geodesic_chord_tolerance));
-  else return (void)np, 0.;
+  Point_options options = other_point_options(np);
+  if constexpr (is_given)
+    options.chord_tolerance = CGAL::to_double(parameters::get_parameter(np, internal_np::geodesic_chord_tolerance));
+  return options;
 }
 
 // Tags: the parameters that the caller reads.
-template <class Tags = Geodesic_offset::internal::Chord_parameters, class CurveRange, class NamedParameters>
+template <class Tags, class CurveRange, class NamedParameters>
 double chord_tolerance_of(const CurveRange& curves, const NamedParameters& np)
 {
   Geodesic_offset::internal::check_named_parameters<Tags, NamedParameters>();
   if constexpr (Geodesic_offset::internal::has_parameter<internal_np::geodesic_chord_tolerance_t, NamedParameters>)
     return (void)curves, CGAL::to_double(parameters::get_parameter(np, internal_np::geodesic_chord_tolerance));
   else return (void)np, default_chord_tolerance(curves);
+}
+
+template <class Tags, class CurveRange, class NamedParameters>
+Point_options point_options_of(const CurveRange& curves, const NamedParameters& np)
+{
+  Point_options options = other_point_options(np);
+  options.chord_tolerance = chord_tolerance_of<Tags>(curves, np);
+  return options;
 }
 
 template <class Tags = Geodesic_offset::internal::Unit_parameters, class NamedParameters>

@@ -76,13 +76,16 @@ public:
   template <class Condition>
   std::vector<Curve_point> whole(const Condition& is_kept) const
   {
-    return select(0, m_curve.number_of_pieces(), m_curve.is_closed(), is_kept);
-  }
-
-  // Points of the pieces first, ..., first + count - 1, cyclically for a closed curve, including both ends.
-  std::vector<Curve_point> part(std::size_t first, std::size_t count) const
-  {
-    return select(first, count, false, [](std::size_t) { return false; });
+    if (m_curve.number_of_pieces() == 0) return std::vector<Curve_point>();
+    const double tolerance = CGAL::to_double(m_tolerance);
+    Candidates few = without_straight_parts(candidates(is_kept, 1));
+    if (m_curve.is_closed()) turn_to_corner(few);
+    std::vector<Curve_point> result = selected(few, Polyline_thinning(few.vertices, tolerance)());
+    if (!m_curve.is_closed() || result.size() >= 4) return result;
+    // A closed curve within the tolerance of a point or segment remains a triangle. At least two of its pieces are not
+    // points, and at least one of these is an arc, so three parts per arc give at least three segments.
+    const Candidates all = candidates(is_kept, 3);
+    return selected(all, Polyline_thinning(all.vertices, tolerance).triangle_at_least());
   }
 
 private:
@@ -120,34 +123,17 @@ private:
     }
   };
 
-  template <class Condition>
-  std::vector<Curve_point> select(std::size_t first, std::size_t count, bool is_closed, const Condition& is_kept) const
-  {
-    if (count == 0) return std::vector<Curve_point>();
-    const double tolerance = CGAL::to_double(m_tolerance);
-    Candidates few = without_straight_parts(candidates(first, count, is_kept, 1));
-    if (is_closed) turn_to_corner(few);
-    std::vector<Curve_point> result = selected(few, Polyline_thinning(few.vertices, tolerance)());
-    if (!is_closed || result.size() >= 4) return result;
-    // A closed curve within the tolerance of a point or segment remains a triangle. At least two of its pieces are not
-    // points, and at least one of these is an arc, so three parts per arc give at least three segments.
-    const Candidates all = candidates(first, count, is_kept, 3);
-    return selected(all, Polyline_thinning(all.vertices, tolerance).triangle_at_least());
-  }
-
   // least_parts: minimum number of parts per arc
   template <class Condition>
-  Candidates candidates(std::size_t first, std::size_t count, const Condition& is_kept, std::size_t least_parts) const
+  Candidates candidates(const Condition& is_kept, std::size_t least_parts) const
   {
     const std::size_t n = m_curve.number_of_pieces();
     const double tolerance = CGAL::to_double(m_tolerance);
-    const bool has_start = first == 0 && !m_curve.is_closed();
     Candidates c;
-    c.push(m_curve, has_start ? Curve_point{0, 0, 1} : Curve_point{(first + n - 1) % n, 1, 1}, 0);
+    c.push(m_curve, m_curve.is_closed() ? Curve_point{n - 1, 1, 1} : Curve_point{0, 0, 1}, 0);
     bool is_after_segment = false;
-    for (std::size_t k = 0; k < count; ++k)
+    for (std::size_t i = 0; i < n; ++i)
     {
-      const std::size_t i = (first + k) % n;
       const Piece piece = m_curve.piece(i);
       std::size_t chords = piece.number_of_chords(m_tolerance), divisor = 1;
       double height = 0;
@@ -187,7 +173,7 @@ private:
       const std::size_t size = c.points.size();
       if (!is_point) is_after_segment = piece.is_segment();
       else if (size > 2) c.erase(size - 2);
-      else if (k + 1 < count) c.pop();
+      else if (i + 1 < n) c.pop();
     }
     return c;
   }

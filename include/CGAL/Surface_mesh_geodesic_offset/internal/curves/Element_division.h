@@ -88,6 +88,13 @@ struct Piece_in_space : Face_in_space
     else if (!is_point) center = (end - start) / length(end - start);
   }
 
+  // Unit direction of travel at a point of the piece; 0 if the piece is a point.
+  Space_vector tangent(const Space_vector& p) const
+  {
+    const Space_vector v = is_arc ? cross_product(normal, p - center) : center;
+    return length(v) > 0 ? space_vector(v / length(v)) : Space_vector(NULL_VECTOR);
+  }
+
   // Tolerances for pieces on one circle or line: `same_point` is relative to the coordinates, which have rounding errors of
   // some units in the last place, 1e-16 each; `same_curve` is relative to the radius and the lengths. Windows that crossed k
   // faces have image errors of some k units; the latter tolerance allows for 1e6 faces and is far below the precision of a

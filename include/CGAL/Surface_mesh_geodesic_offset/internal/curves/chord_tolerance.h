@@ -1,17 +1,20 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Checks of the tolerance of functions that replace arcs by chords.
+// Checks of the tolerance of functions that replace arcs by chords, and of the spacing of points.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CURVES_CHORD_TOLERANCE_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CURVES_CHORD_TOLERANCE_H
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <stdexcept>
 #include <string>
-#include <type_traits>
 
 namespace CGAL::Geodesic_offset::internal {
 
@@ -31,6 +34,12 @@ void check_chord_tolerance(const FT& tolerance)
   if (!(tolerance > FT(0))) throw std::invalid_argument("Surface_mesh_geodesic_offset: a chord tolerance must be positive");
 }
 
+template <class FT>
+void check_point_spacing(const FT& spacing)
+{
+  if (!(spacing > FT(0))) throw std::invalid_argument("Surface_mesh_geodesic_offset: a spacing of points must be positive");
+}
+
 template <class Curve>
 std::size_t number_of_chords(const Curve& curve, const typename Curve::FT& tolerance)
 {
@@ -48,11 +57,17 @@ void check_number_of_chords(const Curve& curve, const typename Curve::FT& tolera
                             " chords within the chord tolerance");
 }
 
-template <class Curves, class FT>
-void check_all_numbers_of_chords(const Curves& curves, const FT& tolerance)
+// Number of equal parts of a curve, each of at most the given length; three at least if the curve is closed.
+template <class Curve>
+std::size_t number_of_parts(const Curve& curve, const typename Curve::FT& spacing)
 {
-  check_chord_tolerance(tolerance);
-  for (const auto& curve : curves) check_number_of_chords(curve, typename std::decay<decltype(curve)>::type::FT(tolerance));
+  check_point_spacing(spacing);
+  // a length that is a multiple of the spacing up to rounding is divided into as many parts
+  const double parts = std::ceil(CGAL::to_double(curve.length()) / CGAL::to_double(spacing) * (1 - 1e-12));
+  if (parts > double(most_chords_of_curve))
+    throw std::length_error("Surface_mesh_geodesic_offset: a curve has more than " + std::to_string(most_chords_of_curve) +
+                            " points at the spacing");
+  return (std::max)(std::size_t(parts), std::size_t(curve.is_closed() ? 3 : 1));
 }
 
 } // namespace CGAL::Geodesic_offset::internal
