@@ -17,6 +17,8 @@
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/tags.h>
 
+#include <boost/iterator/function_output_iterator.hpp>
+
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Simd_edge_exit.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window_bisector.h>
 
@@ -60,6 +62,10 @@ std::vector<double> results(const Mesh& mesh)
   {
     out.push_back(curve.length());
     out.push_back(static_cast<double>(curve.pieces().size()));
+    for (const auto& element : curve.elements(0)) out.push_back(CGAL::to_double(element.sweep()));
+    curve.points_at_spacing(0.1, boost::make_function_output_iterator([&](const auto& p) {
+                              out.push_back(CGAL::to_double(p.tangent * curve.smooth_normal(p.location)));
+                            }));
   }
   return out;
 }
