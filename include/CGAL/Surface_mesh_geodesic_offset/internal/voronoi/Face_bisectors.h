@@ -97,21 +97,7 @@ public:
   {
     CGAL_precondition(m_cell.is_consistent());
     const auto write = [&](Bisector_arc<NT> arc) {
-      arc.face = m_field.face();
-      arc.negligible = m_tolerances.negligible;
-      arc.smallest_loop = m_tolerances.smallest_loop;
-      for (const Voronoi_gate<NT>& g : m_cell.gates)
-      {
-        if (g.node == arc.start_node) arc.start_edge = g.side;
-        if (g.node == arc.end_node) arc.end_edge = g.side;
-      }
-      for (int k = 0; k < 3; ++k)
-      {
-        if (!arc.is_on(m_cell.outside(k), arc.negligible)) continue;
-        const Index h = 3 * arc.face + Index(k);
-        arc.edge = (std::min)(h, m_mesh.twin(h));
-        arc.along_edge = (arc.edge == h ? 1 : -1) * dot(arc.end - arc.start, m_cell.direction[k]);
-      }
+      complete(arc);
       out(arc);
     };
     Cell_bisectors<NT> bisectors(m_windows, m_tolerances, m_cell);
@@ -220,6 +206,26 @@ private:
     std::for_each(local.first, local.second, [&](const auto& l) { check(l.window); });
     for (Index h = 3 * m_field.face(); result && h < 3 * m_field.face() + 3; ++h) m_results.for_each_window(m_mesh, h, check);
     return result;
+  }
+
+  // Sets the face of an arc, the edges of its ends at gates, and the edge along which it runs.
+  void complete(Bisector_arc<NT>& arc) const
+  {
+    arc.face = m_field.face();
+    arc.negligible = m_tolerances.negligible;
+    arc.smallest_loop = m_tolerances.smallest_loop;
+    for (const Voronoi_gate<NT>& g : m_cell.gates)
+    {
+      if (g.node == arc.start_node) arc.start_edge = g.side;
+      if (g.node == arc.end_node) arc.end_edge = g.side;
+    }
+    for (int k = 0; k < 3; ++k)
+    {
+      if (!arc.is_on(m_cell.outside(k), arc.negligible)) continue;
+      const Index h = 3 * arc.face + Index(k);
+      arc.edge = (std::min)(h, m_mesh.twin(h));
+      arc.along_edge = (arc.edge == h ? 1 : -1) * dot(arc.end - arc.start, m_cell.direction[k]);
+    }
   }
 
   static Point rounded(const Point_in_face<FT>& p) { return {number_cast<NT>(p.x), number_cast<NT>(p.y)}; }
