@@ -209,7 +209,7 @@ private:
   {
     const FT most = share(a, b, FT(0));
     if (a.is_propagated() || b.is_propagated() || b.b0 - a.b1 > most || !have_same_source(a, b)) return false;
-    const FT rounding = Number_policy<FT>::rounding(1) * (a.d0 + b.d1 + b.b1 - a.b0), unit = roundings_of_image * rounding;
+    const FT rounding = Number_policy<FT>::rounding(1) * (a.d0 + b.d1 + b.b1 - a.b0), unit = FT(roundings_of_image) * rounding;
     const bool is_like_b = a.b1 - a.b0 < b.b1 - b.b0; // the wider one has the more precise image
     m = is_like_b ? b : a;
     take_ends(a, b, m);
