@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Offsets of a polyline at three distances, and a shortest path to it, by free functions. README.md shows this program.
+// Offsets of a polyline at three distances, and a shortest path to it, by free functions. README.md shows a part of it.
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>

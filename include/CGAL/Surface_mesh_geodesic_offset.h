@@ -677,13 +677,6 @@ public:
     return field().signed_distance_to_sources(location);
   }
 
-  /// forwards to `Geodesic_distance_field::nearest_source_and_side()`.
-  template <class Location>
-  std::optional<std::pair<std::size_t, Source_side>> nearest_source_and_side(const Location& location) const
-  {
-    return field().nearest_source_and_side(location);
-  }
-
   /// forwards to `Geodesic_distance_field::nearest_source()`.
   template <class Location>
   std::optional<Nearest_source> nearest_source(const Location& location) const

@@ -113,7 +113,8 @@ public:
     check_part(known->second, *nearest);
     check_side(known->second, *nearest, path);
     check_sign(nearest->side, d, signed_d);
-    expect(geodesic.nearest_source_and_side(query) == std::make_pair(nearest->source, nearest->side), WRONG_SIDE, "two sides");
+    expect(geodesic.field().nearest_source_and_side(query) == std::make_pair(nearest->source, nearest->side), WRONG_SIDE,
+           "two sides");
     return faults_;
   }
 

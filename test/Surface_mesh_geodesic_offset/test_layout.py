@@ -9,7 +9,7 @@ Each public header is a module, as programs include it alone. Each folder of int
 folders of internal/ are a module each. So an internal header may include a public one, for example of a type of results, if
 that header needs nothing of the folder of the internal header.
 
-The folders of internal/ are core or shell, see README.md. A header of the core includes none of the shell, and definitions, in files
+The folders of internal/ are core or shell, see the page for contributors. A header of the core includes none of the shell, and definitions, in files
 *_impl.h, are included only by the header that declares, unless the library is compiled, and by core_definitions.h.
 
 Radical_number is a package of its own: its headers include none of the other package, which includes only its public header.

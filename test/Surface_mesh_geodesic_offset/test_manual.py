@@ -9,7 +9,8 @@
 - The pages that a newcomer looks for exist, and each local link and picture has a target.
 - The Doxyfile.in of each package, the form for the documentation of CGAL, works with the settings of the manual in place of CGAL's.
 - Each publication of the bibliography is cited.
-- The README and the page for contributors name only files that exist, and the README shows the example program as it is.
+- The README and the pages beside the manual name only files that exist; the README has at most 120 lines, and shows a part of the
+  example program as it is.
 
 The exit code is 77, for "skipped", where Doxygen is not installed.
 """
@@ -168,17 +169,20 @@ def check_names(path, source):
         files.update(os.path.relpath(os.path.join(directory, name), source).replace(os.sep, "/") for name in names)
     text = re.sub(r"```.*?```", "", contents(path), flags=re.DOTALL)
     names = set(re.findall(r"`((?:[\w-]+/)*[\w-]+\.(?:h|cpp|py|sh|md|txt))`", text))
-    check(names, "%s names no file" % path)
     for name in sorted(names):
         check(any(f == name or f.endswith("/" + name) for f in files), "%s names %s, which does not exist" % (path, name))
-    for name in sorted(set(re.findall(r"\]\(([^):#]+)\)", text))):
+    links = set(re.findall(r"\]\(([^):#]+)\)", text))
+    check(names or links, "%s names no file" % path)
+    for name in sorted(links):
         check(os.path.exists(os.path.join(os.path.dirname(path), name)), "%s refers to %s" % (path, name))
 
 
 def check_example(source):
     example = contents(os.path.join(source, "examples/Surface_mesh_geodesic_offset/geodesic_offset_curves.cpp"))
-    shown = re.search(r"```cpp\n(.*?)```", contents(os.path.join(source, "README.md")), re.DOTALL).group(1)
-    check(shown == example[example.index("#include"):], "the program in README.md is not geodesic_offset_curves.cpp")
+    readme = contents(os.path.join(source, "README.md"))
+    shown = re.search(r"```cpp\n(.*?)```", readme, re.DOTALL).group(1)
+    check(shown in example, "the code in README.md is not that of geodesic_offset_curves.cpp")
+    check(readme.count("\n") <= 120, "README.md has %d lines" % readme.count("\n"))
     for name, most in (("geodesic_offset_curves", 12), ("geodesic_offset_object", 20)):
         text = contents(os.path.join(source, "examples/Surface_mesh_geodesic_offset/%s.cpp" % name))
         body = re.search(r"int main.*?\n\{\n(.*?)\n\}", text, re.DOTALL).group(1)
@@ -206,7 +210,8 @@ def main(doxyfile, source):
             check(title in contents(os.path.join(directory, "html/index.html")), "the title of " + package)
     check_bibliography(source)
     check_names(os.path.join(source, "README.md"), source)
-    check_names(os.path.join(source, "doc/Surface_mesh_geodesic_offset/contributing.md"), source)
+    for page in ("comparison", "contributing", "installation", "limits", "programs", "recipes"):
+        check_names(os.path.join(source, "doc/Surface_mesh_geodesic_offset/%s.md" % page), source)
     check_example(source)
     print("%d checks, %d failures" % (checks, failures))
     return 1 if failures else 0

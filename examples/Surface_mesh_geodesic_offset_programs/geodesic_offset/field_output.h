@@ -69,7 +69,7 @@ struct File_field
           geodesic.signed_distance_to_sources(nearest).value_or(std::numeric_limits<double>::quiet_NaN());
       if(with_details)
       {
-        if(const auto source = geodesic.nearest_source_and_side(nearest))
+        if(const auto source = geodesic.field().nearest_source_and_side(nearest))
         {
           columns[k].values[i] = static_cast<double>(source->first);
           columns[k + 1].values[i] = static_cast<double>(source->second);

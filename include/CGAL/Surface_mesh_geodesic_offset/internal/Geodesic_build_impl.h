@@ -11,15 +11,18 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Geodesic_build.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/field/Farthest_point.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/front/Wavefront.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Points_in_space.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Near_path.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_elements.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_points.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_suffix_cache.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_tracing.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/seconds_since.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Source_set.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/workers/Concurrency.h>
 
 #include <CGAL/assertions.h>
+
+#include <boost/container/small_vector.hpp>
 
 #include <algorithm>
 #include <chrono>
@@ -29,6 +32,67 @@
 #include <vector>
 
 namespace CGAL::Geodesic_offset::internal {
+
+// Crossings as points in space, computed at once while the processor would wait for the next step of the walk.
+template <class Kernel>
+struct Passed_points : boost::container::small_vector<typename Kernel::Point_3, 128>
+{
+  explicit Passed_points(const Points_in_space<Kernel>& s) : space(s) {}
+
+  // The first n points are known to be distinct, as a Strip_walk keeps away from vertices.
+  void set_apart(std::size_t n) { m_apart = n; }
+
+  void remove_repeated()
+  {
+    const auto first = this->begin() + std::ptrdiff_t(m_apart == 0 ? 0 : (std::min)(m_apart, this->size()) - 1);
+    this->erase(std::unique(first, this->end()), this->end());
+  }
+
+  typename Kernel::Point_3 item(const Path_crossing<typename Kernel::FT>& c) const { return space.point(c); }
+
+  const Points_in_space<Kernel>& space;
+
+private:
+  std::size_t m_apart = 0;
+};
+
+// Appends the points in space, including the end of each straight part, to a vector. Consecutive points equal up to rounding
+// become one.
+template <class Kernel>
+class Path_points
+{
+public:
+  typedef typename Kernel::FT FT;
+  typedef typename Kernel::Point_3 Item;
+
+  Path_points(const Points_in_space<Kernel>& space, std::vector<Item>& out) : m_space(space), m_out(out), m_passed(space) {}
+
+  template <class P>
+  void start(const P& p)
+  {
+    m_last = m_space.point(p);
+    m_out.push_back(m_last);
+  }
+  Passed_points<Kernel>& passed() { return m_passed; }
+  void end_part(const Suffix_end<FT>& end)
+  {
+    m_passed.push_back(m_space.point(end.point));
+    m_passed.remove_repeated();
+  }
+  void append(const Item* q, const Item* last, const Suffix_end<FT>&)
+  {
+    if (q != last && *q == m_last) ++q;
+    if (q == last) return;
+    m_last = *(last - 1);
+    m_out.insert(m_out.end(), q, last);
+  }
+
+private:
+  const Points_in_space<Kernel>& m_space;
+  std::vector<Item>& m_out;
+  Item m_last; // last written item
+  Passed_points<Kernel> m_passed;
+};
 
 // Searches finalized faces for the farthest point if requested, and passes them on.
 template <class FT, class Team>

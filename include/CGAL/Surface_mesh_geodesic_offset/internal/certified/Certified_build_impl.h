@@ -10,15 +10,95 @@
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_build.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_front.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_query.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_sources.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_state.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Offset_certification.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Rotation.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/compilation/inline_function.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Geodesic_offset::internal {
+
+// Bounds of the distance of any point, from the kept windows of the certified front.
+class Certified_query
+{
+public:
+  typedef Surface_point<double> Surface_point_;
+  typedef Point_in_face<double> Point;
+
+  Certified_query(const Certified_mesh& mesh, const Certified_sources& sources, const Certified_field& field)
+    : m_mesh(mesh), m_sources(sources), m_field(field)
+  {
+  }
+
+  // Precondition: windows are kept, or p is a vertex. The result is in units of the certified mesh.
+  std::pair<double, double> operator()(const Surface_point_& p)
+  {
+    m_lower = m_upper = Number_policy<double>::infinity();
+    if (p.kind == Surface_point_::VERTEX) add_bounds(m_field.bounds.lower(p.element), m_field.bounds.upper(p.element));
+    else
+      for (Index face : faces_of(m_mesh.unfolded(), p))
+      {
+        Double_double_2 place;
+        unsigned edges;
+        m_sources.place_in_face(p, face, place, edges);
+        search(face, place);
+      }
+    // a path that passes a vertex within the error of an image may be shorter by this amount, see the error analysis
+    return {(std::max)(m_lower * (1 - 2 * unit_roundoff) - m_sources.loss, 0.), m_upper};
+  }
+
+private:
+  void add_bounds(double lower, double upper)
+  {
+    m_lower = (std::min)(m_lower, lower);
+    m_upper = (std::min)(m_upper, upper);
+  }
+
+  // Bounds for position p in the face, which is the query point up to rounding.
+  void search(Index face, Double_double_2 p)
+  {
+    const double size = m_mesh.length(3 * face) + m_mesh.length(3 * face + 1) + m_mesh.length(3 * face + 2);
+    const double moved = 4 * length_error * size;
+    m_sources.for_each_in_face(face, [&](const Certified_source& s) {
+      double reach;
+      const double d = s.start_value + length(s.way_from(p, reach)), error = 4 * s.moved + moved + length_error * s.start_value;
+      add_bounds(d - error, d + error);
+    });
+    for (int k = 0; k < 3; ++k)
+    {
+      const Index h = 3 * face + Index(k), v = m_mesh.unfolded().source(h);
+      const double height = (std::max)(p.y.high, 0.), way = length(Point{p.x.high, height});
+      const double rounding = length_error * (m_field.bounds.upper(v) + way);
+      add_bounds(m_field.bounds.lower(v) + way - moved - rounding, m_field.bounds.upper(v) + way + moved + rounding);
+      const auto place = [&](double b) { return b < m_mesh.length(h) ? Double_double(b) : m_mesh[h].length; };
+      m_field.for_each_window(h, [&](const Certified_window& w) {
+        const Double_double b0 = place(w.b0), b1 = place(w.b1);
+        const Sign from = w.side_of(p.x, height, b0), to = w.side_of(p.x, height, b1);
+        if (from == POSITIVE || to == NEGATIVE) return;
+        const double d = w.distance_at(p.x.high, height);
+        const double around =
+          (from == ZERO ? w.way_around(p.x, height, b0) : 0.) + (to == ZERO ? w.way_around(p.x, height, b1) : 0.);
+        const double error = w.radius + length_error * d + moved + 4 * w.error_of_image() + around;
+        if (d + error < m_sources.least_start_value) return; // p is behind the segment that the rays start from
+        add_bounds(d - error, d + error);
+      });
+      // transformation to the frame of the next halfedge
+      const Double_double_2& c = m_mesh[m_mesh.unfolded().next(h)].corner;
+      p = in_frame({-c.x, c.y}, {p.x - m_mesh[h].length, p.y});
+    }
+  }
+
+  const Certified_mesh& m_mesh;
+  const Certified_sources& m_sources;
+  const Certified_field& m_field;
+  double m_lower = 0, m_upper = 0;
+};
 
 struct Certified_build::Parts
 {

@@ -140,7 +140,7 @@ private:
   static bool put_before_edge(const Face_frame<FT>& frame, Window& w)
   {
     if constexpr (Number_policy<FT>::is_inexact)
-      if (!(w.y < FT(0))) w.y = -Number_policy<FT>::rounding(1) * frame.longest_edge();
+      if (!(w.y < FT(0))) w.y = -rounding_of_height(frame.longest_edge());
     return w.y < FT(0);
   }
 

@@ -221,8 +221,9 @@ public:
   {
     const Ray_at_vertex<FT> known = field.back[v].ray();
     if (!starts_ties || known.corner == no_index || back.corner == no_index) return;
-    if (known.corner == back.corner && CGAL::abs(FT(known.x * back.y - known.y * back.x)) <=
-                                         Number_policy<FT>::rounding(4) * (known.x * back.x + known.y * back.y))
+    if (known.corner == back.corner &&
+        CGAL::abs(FT(known.x * back.y - known.y * back.x)) <=
+          Number_policy<FT>::rounding(roundings_of_equal_directions) * (known.x * back.x + known.y * back.y))
       return;
     Part& part = awake_part(parts.of_vertex(v));
     part.tied.emplace(v, keeps_known ? back : known);
@@ -416,6 +417,9 @@ public:
 private:
   // Units of rounding of a distance within which two paths to a vertex count as equally long.
   static constexpr double roundings_at_vertex = 64;
+
+  // Units of rounding, an angle, within which two directions at a vertex are one: two products and a difference for each.
+  static constexpr double roundings_of_equal_directions = 4;
 
   // Largest number of buckets by which a face is postponed, so that the number of buckets stays bounded. A face with a very
   // long edge is postponed several times.

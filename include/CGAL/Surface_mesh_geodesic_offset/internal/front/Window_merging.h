@@ -126,6 +126,9 @@ private:
   static constexpr std::size_t short_list = 4, long_list = 16;
   static constexpr Index stride = 2, long_list_stride = 8;
 
+  // Units of rounding of the distances within which a new image gives those at the ends: some eight operations determine it.
+  static constexpr double roundings_of_image = 16;
+
   // Part of what a relative tolerance leaves that one merge may use, so that later merges have the rest.
   static constexpr double share_of_relative_tolerance = 0.5;
 
@@ -206,7 +209,7 @@ private:
   {
     const FT most = share(a, b, FT(0));
     if (a.is_propagated() || b.is_propagated() || b.b0 - a.b1 > most || !have_same_source(a, b)) return false;
-    const FT rounding = Number_policy<FT>::rounding(1) * (a.d0 + b.d1 + b.b1 - a.b0), unit = 16 * rounding;
+    const FT rounding = Number_policy<FT>::rounding(1) * (a.d0 + b.d1 + b.b1 - a.b0), unit = FT(roundings_of_image) * rounding;
     const bool is_like_b = a.b1 - a.b0 < b.b1 - b.b0; // the wider one has the more precise image
     m = is_like_b ? b : a;
     take_ends(a, b, m);

@@ -8,9 +8,8 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Layout_by_lengths.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Layout_by_points.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Unfolded_mesh.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Number_policy.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/workers/Concurrency.h>
 
 #include <CGAL/assertions.h>
@@ -18,6 +17,7 @@
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cstddef>
 #include <numeric>
@@ -26,6 +26,85 @@
 #include <vector>
 
 namespace CGAL::Geodesic_offset::internal {
+
+// Lays faces out in the plane, from the points of their vertices. A layout has a function functor(), whose result is called with a face and its vertices, and returns an array of lengths and
+// apices; see SurfaceMeshGeodesicOffsetTraits::Construct_apices_2.
+template <class Traits>
+class Layout_by_points
+{
+public:
+  typedef typename Traits::FT FT;
+
+  // points: of the vertices
+  Layout_by_points(const std::vector<typename Traits::Point_3>& points, const Traits& traits)
+    : m_points(points), m_traits(traits)
+  {
+  }
+
+  auto functor() const
+  {
+    return [&points = m_points, construct_apices = m_traits.construct_apices_2_object()](Index, const Index(&v)[3]) {
+      return construct_apices(points[v[0]], points[v[1]], points[v[2]]);
+    };
+  }
+
+private:
+  const std::vector<typename Traits::Point_3>& m_points;
+  const Traits& m_traits;
+};
+
+// Lays faces out from the lengths of their edges. Has a function functor(), as Layout_by_points.
+template <class FT_>
+class Layout_by_lengths
+{
+public:
+  typedef FT_ FT;
+
+  // lengths: of the halfedges
+  explicit Layout_by_lengths(const std::vector<FT>& lengths) : m_lengths(lengths) {}
+
+  auto functor() const
+  {
+    return [&lengths = m_lengths](Index f, const Index(&)[3]) {
+      std::array<Apex, 3> result;
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        result[k].length = lengths[3 * f + k];
+        if (!CGAL::is_positive(result[k].length)) return result;
+      }
+      const FT area = twice_the_area(result[0].length, result[1].length, result[2].length);
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        const FT &a = result[k].length, &b = result[(k + 1) % 3].length, &c = result[(k + 2) % 3].length;
+        // (a^2 - b^2 + c^2) / 2a. With c much shorter than a, the second form would cancel and lose the direction of the apex; with
+        // a much shorter than c, the first one. Binding test: test_distance_errors, lengths.
+        if (c < a) result[k].x = FT(FT(FT(a - b) * FT(a + b)) + FT(c * c)) / FT(a + a);
+        else result[k].x = FT(FT(FT(c - b) * FT(c + b)) / a + a) / FT(2);
+        result[k].y = area / a;
+      }
+      return result;
+    };
+  }
+
+private:
+  struct Apex
+  {
+    FT length = FT(0), x = FT(0), y = FT(0);
+  };
+
+  // Heron's formula in the form of Kahan, whose differences are exact or harmless. 0 if the strict triangle inequality fails.
+  static FT twice_the_area(FT a, FT b, FT c)
+  {
+    if (a < b) std::swap(a, b);
+    if (b < c) std::swap(b, c);
+    if (a < b) std::swap(a, b);
+    const FT least = c - FT(a - b);
+    if (!CGAL::is_positive(least)) return FT(0);
+    return square_root<FT>(FT(FT(a + FT(b + c)) * least) * FT(FT(c + FT(a - b)) * FT(a + FT(b - c)))) / FT(2);
+  }
+
+  const std::vector<FT>& m_lengths;
+};
 
 // Atomic minimum.
 inline void lower_to(Index& number, Index i) { number = (std::min)(number, i); }

@@ -228,17 +228,14 @@ private:
   // The tangent of the counterclockwise angle from a to b, if it is narrow; zero if not.
   FT narrow_angle(const Ray& a, const Ray& b) const
   {
-    FT c(1), s(0);
-    if (b.corner == a.corner) {}
-    else if (b.corner == m_mesh->corner_ccw(a.corner)) m_mesh->corner_direction(a.corner, c, s);
-    else if (a.corner == m_mesh->corner_ccw(b.corner))
+    Point_in_face<FT> u{b.x, b.y};
+    if (b.corner != a.corner)
     {
-      m_mesh->corner_direction(b.corner, c, s);
-      s = -s;
+      const bool is_ccw = b.corner == m_mesh->corner_ccw(a.corner);
+      if (!is_ccw && a.corner != m_mesh->corner_ccw(b.corner)) return FT(0);
+      turn_to_corner(*m_mesh, b.corner, a.corner, is_ccw, u);
     }
-    else return FT(0);
-    const FT x = c * b.x - s * b.y, y = s * b.x + c * b.y, along = a.x * x + a.y * y;
-    const FT sine = cross(a.x, a.y, x, y);
+    const FT sine = cross(a.x, a.y, u.x, u.y), along = a.x * u.x + a.y * u.y;
     return along > FT(0) && CGAL::abs(sine) <= FT(widest_narrow_angle) * along ? FT(sine / along) : FT(0);
   }
 

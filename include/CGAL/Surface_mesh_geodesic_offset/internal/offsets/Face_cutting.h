@@ -10,14 +10,16 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/Offset_levels.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/field/Face_field.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Per_corner.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Crossing.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Edge_crossings.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Face_crossings.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/interior_maximum.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Level_range.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Level_tracer.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Near_intervals.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Offset_sources.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Offset_tolerances.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Vertex_reach.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Merging_tolerance.h>
 
 #include <CGAL/assertions.h>
@@ -25,9 +27,84 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Geodesic_offset::internal {
+
+template <class FT>
+class Face_crossings
+{
+public:
+  Face_crossings(const Unfolded_mesh<FT>& mesh, const Geodesic_field<FT>& field, const Vertex_reach<FT>& reach,
+                 const Offset_sources<FT>& sources)
+    : m_mesh(mesh), m_field(field), m_reach(reach), m_sources(sources)
+  {
+  }
+
+  // Calls out(t, falling) as Edge_crossings does, for the edge of h, a halfedge of the face of `field`.
+  template <class OutputFunction>
+  void operator()(Index h, const Face_field<FT>& field, const FT& level, const OutputFunction& out)
+  {
+    const Index p = m_mesh.source(h), q = m_mesh.target(h);
+    const bool p_is_near = m_sources.is_near(p, level), q_is_near = m_sources.is_near(q, level);
+    const FT length = m_mesh[h].length;
+    const int k = int(h % 3);
+    m_near.start(length, m_reach.of_face(field.face()), level);
+    if (p_is_near) m_near.add_end(true, level - m_field.distance[p]);
+    if (q_is_near) m_near.add_end(false, level - m_field.distance[q]);
+    for (std::size_t i = 0; i < field.windows().size(); ++i)
+      if (const Face_window<FT>& w = field.windows()[i]; field.lowest(i) < level && m_sources.reach(w.source_ref, level))
+        m_near.add_window(w, field.frame().corner(k), field.frame().direction(k), false);
+    if (!(m_mesh.twin(h) < h)) return m_near.for_each_end(p_is_near, q_is_near, out);
+    m_ends.clear();
+    m_near.for_each_end(p_is_near, q_is_near, [&](const FT& t, bool falling) { this->m_ends.push_back({t, falling}); });
+    for (std::size_t i = m_ends.size(); i-- > 0;) out(FT(length - m_ends[i].first), !m_ends[i].second);
+  }
+
+private:
+  const Unfolded_mesh<FT>& m_mesh;
+  const Geodesic_field<FT>& m_field;
+  const Vertex_reach<FT>& m_reach;
+  const Offset_sources<FT>& m_sources;
+  Near_intervals<FT> m_near;
+  std::vector<std::pair<FT, bool>> m_ends;
+};
+
+// False only if the directions of all rays in the face lie in an open half-plane, as the distance then grows along their middle
+// direction. (Corner functions count only where shortest paths continue behind the corner; elsewhere they are never below the
+// other windows.)
+template <class FT>
+bool may_have_interior_maximum(const Face_field<FT>& field)
+{
+  typedef Point_in_face<FT> Point;
+  // The directions of a window reach counterclockwise from its right to its left ray, by less than a half turn. [from, to] is
+  // the cone of all directions, counterclockwise, as long as it is narrower than a half turn.
+  bool empty = true;
+  Point from{FT(1), FT(0)}, to{FT(1), FT(0)};
+  for (const Face_window<FT>& w : field.windows())
+  {
+    if (w.origin == STARTS_IN_FACE) return true;
+    if (w.is_empty()) continue;
+    const Point r = w.right_ray(), l = w.left_ray();
+    if (empty)
+    {
+      from = r;
+      to = l;
+      empty = false;
+      continue;
+    }
+    for (const Point& u : {r, l})
+    {
+      const bool after_from = !CGAL::is_negative(cross(from, u)), before_to = !CGAL::is_negative(cross(u, to));
+      if (after_from && before_to && CGAL::is_positive(dot(u, from + to))) continue;
+      if (after_from && CGAL::is_positive(cross(from, u)) && !before_to) to = u;
+      else if (before_to && CGAL::is_positive(cross(u, to)) && !after_from) from = u;
+      else return true;
+    }
+  }
+  return false;
+}
 
 // A face with the results of its cutting.
 template <class FT>

@@ -71,9 +71,10 @@ public:
 private:
   // Parts with more windows are divided. Fewer are read as fast as the tree.
   static constexpr std::size_t most_windows = 32;
-  // So many divisions may leave more than three quarters of the windows in both halves, until one leaves fewer in each: those
-  // of parts much larger than the distances between sources. More are useless.
+  // Number of divisions in a row of which both halves may keep more than three quarters of the windows. A part much larger than the
+  // distance between sources needs some before its halves differ; where the windows do not separate, division ends.
   static constexpr int most_vain_divisions = 16;
+  static constexpr double full_part = 0.75;
 
   struct Part
   {
@@ -121,7 +122,7 @@ private:
       return m_waiting.size() - begin;
     };
     const std::size_t in_first = find(child, last), in_second = find(child + 1, last + in_first);
-    const bool is_full[2] = {4 * in_first > 3 * number, 4 * in_second > 3 * number};
+    const bool is_full[2] = {double(in_first) > full_part * double(number), double(in_second) > full_part * double(number)};
     if (is_full[0] && is_full[1]) --divisions_left;
     else if (!is_full[0] && !is_full[1]) divisions_left = most_vain_divisions;
     divide(child + 1, last + in_first, divisions_left, window);

@@ -322,7 +322,8 @@ private:
       Point left = to_is_inside ? crossing(*to) : target;
       const Point right = from_is_inside ? crossing(*from) : source;
       // A cone that is narrower on the edge than rounding is empty for points of the face, but not for the faces beyond.
-      if (dot(left - right, frame.direction(k)) <= Number_policy<FT>::rounding(64) * frame.edge_length(k)) left = right;
+      if (dot(left - right, frame.direction(k)) <= Number_policy<FT>::rounding(roundings_of_interval) * frame.edge_length(k))
+        left = right;
       local.push_back({face,
                        Face_window<FT>{p.x, p.y, m_start_value, left, right, source_ref, Window<FT>::make_bits(false, no_index),
                                        STARTS_IN_FACE, (unsigned char)(k), m_start_value, right_ray, left_ray}});
@@ -346,6 +347,10 @@ private:
     }
     return result;
   }
+
+  // Units of rounding of an edge that an interval on it is wider than if points of the face can be in its cone: as for rays that
+  // have crossed many faces (roundings_of_ray).
+  static constexpr double roundings_of_interval = 64;
 
   // Rounding error of the height of a point over an edge, in units of rounding of the longest edge: one for the point, and one for
   // each of the two terms of the height.
@@ -379,7 +384,7 @@ private:
     const FT length = m_mesh[m_mesh.next(h)].length;
     const FT right = lower ? FT(length - sector.exit_of_ray(h, *lower)) : FT(0);
     const FT left = upper ? FT(length - sector.exit_of_ray(h, *upper)) : length;
-    if (!(right + Number_policy<FT>::rounding(64) * length < left)) return;
+    if (!(right + Number_policy<FT>::rounding(roundings_of_interval) * length < left)) return;
     const Face_frame<FT> frame(m_mesh, m_mesh.face(h));
     const Point& c = frame.corner(k);
     const FT& s = start_values.of(source_ref);

@@ -9,7 +9,6 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Arc_end_motion.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Arcs_along_sides.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Bisector_arc.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Cell_arcs.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Gate_links.h>

@@ -9,20 +9,89 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/field/Face_field.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/field/Geodesic_field.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Coinciding_places.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Initial_windows.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Cell_bisectors.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Face_cells.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Label_changes.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Source_labels.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Voronoi_tolerances.h>
+
+#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <map>
 #include <optional>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Geodesic_offset::internal {
+
+// The labels of cells: ids of sources, of which those that coincide up to rounding, or have a point or a segment in common, count as
+// that with the smallest id there.
+template <class FT>
+class Source_labels
+{
+public:
+  Source_labels(const Unfolded_mesh<FT>& mesh, const Initial_windows<FT>& initial, const Geodesic_field<FT>& field)
+    : m_mesh(mesh), m_field(field)
+  {
+    const double tolerance = Voronoi_tolerances<double>::same_source(size());
+    Coinciding_places<FT> places(mesh, tolerance);
+    struct Entry
+    {
+      double start_value;
+      Index smallest; // id
+    };
+    std::map<std::pair<Index, Index>, std::vector<Entry>> entries; // by the numbers of the ends
+    std::vector<std::pair<std::vector<Entry>*, std::size_t>> entry_of;
+    for (std::size_t i = 0; i < initial.primitives.size(); ++i)
+    {
+      const Index first = places.number_of(initial.places[i].first),
+                  second = initial.primitives[i].is_segment ? places.number_of(initial.places[i].second) : first;
+      std::vector<Entry>& known = entries[std::minmax(first, second)];
+      const double start = CGAL::to_double(initial.start_values.of(Source_ref(Index(i), Source_side::NONE)));
+      auto entry =
+        std::find_if(known.begin(), known.end(), [&](const Entry& e) { return CGAL::abs(e.start_value - start) <= tolerance; });
+      if (entry == known.end()) entry = known.insert(entry, {start, initial.source_of[i]});
+      entry->smallest = (std::min)(entry->smallest, initial.source_of[i]);
+      entry_of.emplace_back(&known, std::size_t(entry - known.begin()));
+    }
+    for (const auto& [known, i] : entry_of) m_label.push_back((*known)[i].smallest);
+  }
+
+  // no_index for a vertex without a distance.
+  Index of_vertex(Index v) const
+  {
+    return m_field.source_ref[v].is_valid() ? m_label[m_field.source_ref[v].primitive()] : no_index;
+  }
+
+  // A window behind a pseudo-source has the label of this vertex, also if several sources are equally near to it.
+  template <class Window>
+  Index of_window(const Window& w) const
+  {
+    const Index v = w.pseudo_source();
+    return v == no_index || Merge_error_code::is_merged(v) ? m_label[w.source_ref.primitive()] : of_vertex(v);
+  }
+
+private:
+  // The longest edge and the largest distance of a vertex.
+  double size() const
+  {
+    double largest = 0;
+    for (const FT& d : m_field.distance)
+      if (Number_policy<FT>::is_finite(d)) largest = (std::max)(largest, CGAL::to_double(d));
+    return CGAL::to_double(m_mesh.longest_edge()) + largest;
+  }
+
+  const Unfolded_mesh<FT>& m_mesh;
+  const Geodesic_field<FT>& m_field;
+  std::vector<Index> m_label; // per primitive
+};
 
 template <class NT, class FT>
 class Face_bisectors
@@ -97,21 +166,7 @@ public:
   {
     CGAL_precondition(m_cell.is_consistent());
     const auto write = [&](Bisector_arc<NT> arc) {
-      arc.face = m_field.face();
-      arc.negligible = m_tolerances.negligible;
-      arc.smallest_loop = m_tolerances.smallest_loop;
-      for (const Voronoi_gate<NT>& g : m_cell.gates)
-      {
-        if (g.node == arc.start_node) arc.start_edge = g.side;
-        if (g.node == arc.end_node) arc.end_edge = g.side;
-      }
-      for (int k = 0; k < 3; ++k)
-      {
-        if (!arc.is_on(m_cell.outside(k), arc.negligible)) continue;
-        const Index h = 3 * arc.face + Index(k);
-        arc.edge = (std::min)(h, m_mesh.twin(h));
-        arc.along_edge = (arc.edge == h ? 1 : -1) * dot(arc.end - arc.start, m_cell.direction[k]);
-      }
+      complete(arc);
       out(arc);
     };
     Cell_bisectors<NT> bisectors(m_windows, m_tolerances, m_cell);
@@ -220,6 +275,26 @@ private:
     std::for_each(local.first, local.second, [&](const auto& l) { check(l.window); });
     for (Index h = 3 * m_field.face(); result && h < 3 * m_field.face() + 3; ++h) m_results.for_each_window(m_mesh, h, check);
     return result;
+  }
+
+  // Sets the face of an arc, the edges of its ends at gates, and the edge along which it runs.
+  void complete(Bisector_arc<NT>& arc) const
+  {
+    arc.face = m_field.face();
+    arc.negligible = m_tolerances.negligible;
+    arc.smallest_loop = m_tolerances.smallest_loop;
+    for (const Voronoi_gate<NT>& g : m_cell.gates)
+    {
+      if (g.node == arc.start_node) arc.start_edge = g.side;
+      if (g.node == arc.end_node) arc.end_edge = g.side;
+    }
+    for (int k = 0; k < 3; ++k)
+    {
+      if (!arc.is_on(m_cell.outside(k), arc.negligible)) continue;
+      const Index h = 3 * arc.face + Index(k);
+      arc.edge = (std::min)(h, m_mesh.twin(h));
+      arc.along_edge = (arc.edge == h ? 1 : -1) * dot(arc.end - arc.start, m_cell.direction[k]);
+    }
   }
 
   static Point rounded(const Point_in_face<FT>& p) { return {number_cast<NT>(p.x), number_cast<NT>(p.y)}; }

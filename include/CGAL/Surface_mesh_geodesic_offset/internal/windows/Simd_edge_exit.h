@@ -67,7 +67,7 @@ public:
 private:
   const typename Traits::Change_frame_2 m_change_frame;
   const Pair m_c, m_s, m_turn, m_length; // of the edge
-  const Pair m_apex, m_least{Number_policy<FT>::rounding(0.1)};
+  const Pair m_apex, m_least{Number_policy<FT>::rounding(roundings_across_edge)};
 };
 
 template <class Traits, bool is_left>

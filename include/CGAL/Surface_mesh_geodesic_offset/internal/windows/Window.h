@@ -12,6 +12,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/Offset_side.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Number_policy.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Merge_error_code.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/window_allowance.h>
 
 #include <CGAL/assertions.h>
 
@@ -63,7 +64,6 @@ struct Window_rays
   bool is_parallel() const { return bits & 1u; }
   bool is_propagated() const { return bits & 2u; }
   void set_propagated() { bits |= 2u; }
-  void set_new() { bits &= ~Index(2); }                   // not propagated
   Index pseudo_source() const { return (bits >> 2) - 1; } // no_index if none
   bool is_merged() const { return Merge_error_code::is_merged(pseudo_source()); }
   static Index make_bits(bool parallel, Index pseudo_source)
@@ -96,14 +96,15 @@ struct Window_rays
     // the sine of the angle, and its cosine for an angle of nearly a half turn
     const FT width = t1 - t0;
     return width > FT(0) &&
-           (width > Number_policy<FT>::rounding(2) * square_root<FT>((1 + t0 * t0) * (1 + t1 * t1)) || 1 + t0 * t1 < FT(0));
+           (width > Number_policy<FT>::rounding(roundings_of_cone) * square_root<FT>((1 + t0 * t0) * (1 + t1 * t1)) ||
+            1 + t0 * t1 < FT(0));
   }
 
   // The ray through (b, 0).
   FT ray_at(const FT& b) const
   {
     if constexpr (!Number_policy<FT>::is_inexact) return FT(0);
-    else return is_parallel() ? FT(y * b) : FT((x - b) / (std::min)(y, FT(-1e-300)));
+    else return is_parallel() ? FT(y * b) : FT((x - b) / (std::min)(y, FT(-least_height)));
   }
 
   // The slopes dx / dy of the ray t, of the ray through (b, 0), and of the bounding rays; zero for exact numbers.
@@ -233,9 +234,6 @@ private:
   {
     return right - left > Number_policy<FT>::rounding(roundings_of_turn) * (1 + right * right) && right > left;
   }
-
-  // Units of rounding by which two rays differ that are one: each has been turned into the frame by some four operations.
-  static constexpr double roundings_of_turn = 16;
 };
 
 // A window as it is stored in lists: of 48 bytes with numbers of type double.

@@ -167,7 +167,7 @@ public:
   bool put_before_edge(Window& w) const
   {
     if (is_parallel || !Number_policy<FT>::is_inexact) return false;
-    w.y = -Number_policy<FT>::rounding(1) * length;
+    w.y = -rounding_of_height(length);
     return true;
   }
 
@@ -202,7 +202,7 @@ public:
     {
       const FT x = c * t + s, r = square_root<FT>(1 + t * t);
       FT y = c - s * t;
-      if (y < Number_policy<FT>::rounding(0.1) * r) y = FT(1e-40) * r;
+      if (y < Number_policy<FT>::rounding(roundings_across_edge) * r) y = FT(grazing_across) * r;
       const FT inverse = 1 / y;
       turned = x * inverse;
       b = child.x - child.y * turned;

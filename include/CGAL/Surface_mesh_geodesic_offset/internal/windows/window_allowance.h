@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Allowance for the rounding of distances along windows.
+// Allowances for the rounding of windows: of their distances, rays and images.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOWS_WINDOW_ALLOWANCE_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOWS_WINDOW_ALLOWANCE_H
@@ -26,6 +26,28 @@ inline FT window_allowance(const FT& scale)
 // Units of rounding, of the distance and the edges beside it, by which a ray that has crossed many faces is off, and the distance
 // along it.
 constexpr double roundings_of_ray = 64;
+
+// Units of rounding by which two rays differ that are one: each has been turned into the frame by some four operations.
+constexpr double roundings_of_turn = 16;
+
+// Units of rounding, an angle, that a cone is wider than if it is open: each of its two slopes has been rounded at least once.
+constexpr double roundings_of_cone = 2;
+
+// Units of rounding, of the length of a ray, that its part across an edge is at least: below a fraction of the last place, the sign
+// is noise. Then `grazing_across`, a part of the same length, stands for it: the ray meets the line of the edge far beyond the end.
+constexpr double roundings_across_edge = 0.1, grazing_across = 1e-40;
+
+// Height of an image over its edge that is never divided by: the smallest normal number is 2e-308, so slopes stay finite for
+// positions up to 1e8.
+constexpr double least_height = 1e-300;
+
+// Height given to an image that rounding has put on or behind the edge that its rays cross. `length`: of the edge that determines
+// the rounding of the height.
+template <class FT>
+inline FT rounding_of_height(const FT& length)
+{
+  return Number_policy<FT>::rounding(1) * length;
+}
 
 // Rounding error of an image that has crossed the longest edge of the mesh.
 template <class FT>

@@ -1,12 +1,13 @@
 # Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What README.md says about the program: its options, and the example of its polyline format."""
+"""What the page of the programs says about `geodesic_offset`: its options, and the example of its polyline format."""
 
 import os
 import re
 
 from program_bench import HORIZONTAL, check, run_test
 
+PAGE = "doc/Surface_mesh_geodesic_offset/programs.md"
 ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
 
 
@@ -17,11 +18,11 @@ def read(name):
 
 def test_options(bench):
     """The options of --help are the options of the tables."""
-    readme = read("README.md")
-    tables = readme[readme.index("### geodesic_offset"):readme.index("### validate_geodesic_distances")]
+    page = read(PAGE)
+    tables = page[page.index("## geodesic_offset"):page.index("## validate_geodesic_distances")]
     described = set(re.findall(r"--[a-z-]+", "\n".join(re.findall(r"^\| (`-.*?) \|", tables, re.MULTILINE))))
     listed = set(re.findall(r"^ *(--[a-z-]+)", bench.start("--help").stdout, re.MULTILINE))
-    check(len(listed) > 20 and described == listed, "not in README.md: %s, not in --help: %s"
+    check(len(listed) > 20 and described == listed, "not on the page: %s, not in --help: %s"
           % (sorted(listed - described), sorted(described - listed)))
     version = re.search(r"VERSION (\d+\.\d+\.\d+)", read("CMakeLists.txt")).group(1)
     check(bench.start("--version").stdout.startswith("geodesic_offset " + version + " "), "the version")
@@ -31,7 +32,7 @@ def test_polylines(bench):
     mesh = bench.grid(HORIZONTAL)
 
     # the example of the format is a segment and a triangle
-    example = re.search(r"```\n(2  0 .*?)```", read("README.md"), re.DOTALL).group(1)
+    example = re.search(r"```\n(2  0 .*?)```", read(PAGE), re.DOTALL).group(1)
     curves = bench.path("curves.polylines.txt")
     with open(curves, "w") as file:
         file.write(example)
