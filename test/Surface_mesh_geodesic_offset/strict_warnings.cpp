@@ -11,7 +11,9 @@
 #include <CGAL/Surface_mesh_geodesic_offset/IO/write_offset_curves.h>
 #include <CGAL/Surface_mesh_geodesic_offset/Surface_mesh_geodesic_enclosure.h>
 #include <CGAL/Surface_mesh_geodesic_offset/construct_geodesic_voronoi_diagram.h>
+#include <CGAL/Surface_mesh_geodesic_offset/geodesic_distance_matrix.h>
 #include <CGAL/Surface_mesh_geodesic_offset/geodesic_distances.h>
+#include <CGAL/Surface_mesh_geodesic_offset/geodesic_farthest_points.h>
 #include <CGAL/Surface_mesh_geodesic_offset/geodesic_offset_curves.h>
 #include <CGAL/Surface_mesh_geodesic_offset/geodesic_voronoi_labels.h>
 #include <CGAL/Surface_mesh_geodesic_offset/shortest_path_to_sources.h>
@@ -30,6 +32,7 @@
 
 #include "test_against_shortest_path.cpp"
 #include "test_certified_bounds.cpp"
+#include "test_distance_matrix.cpp"
 #include "test_exact_kernel.cpp"
 #include "test_free_functions.cpp"
 #include "test_graph_types.cpp"

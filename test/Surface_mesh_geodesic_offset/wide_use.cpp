@@ -11,7 +11,9 @@
 #include <CGAL/Surface_mesh_geodesic_offset/Radical_numbers.h>
 #include <CGAL/Surface_mesh_geodesic_offset/Surface_mesh_geodesic_enclosure.h>
 #include <CGAL/Surface_mesh_geodesic_offset/construct_geodesic_voronoi_diagram.h>
+#include <CGAL/Surface_mesh_geodesic_offset/geodesic_distance_matrix.h>
 #include <CGAL/Surface_mesh_geodesic_offset/geodesic_distances.h>
+#include <CGAL/Surface_mesh_geodesic_offset/geodesic_farthest_points.h>
 #include <CGAL/Surface_mesh_geodesic_offset/geodesic_offset_curves.h>
 #include <CGAL/Surface_mesh_geodesic_offset/geodesic_voronoi_labels.h>
 #include <CGAL/Surface_mesh_geodesic_offset/shortest_path_to_sources.h>
@@ -24,6 +26,8 @@
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Polyhedron_items_with_id_3.h>
 #include <CGAL/Surface_mesh.h>
+
+#include <boost/iterator/function_output_iterator.hpp>
 
 #include <cstddef>
 #include <iostream>
@@ -83,6 +87,10 @@ void use_functions(const Mesh& mesh)
   std::map<typename boost::graph_traits<Mesh>::vertex_descriptor, std::size_t> label;
   CGAL::geodesic_distances(mesh, v, boost::make_assoc_property_map(distance), parameters::relative_tolerance(1e-3));
   CGAL::geodesic_voronoi_labels(mesh, v, boost::make_assoc_property_map(label));
+  CGAL::geodesic_farthest_points(mesh, 3, boost::make_function_output_iterator([&](auto u) { label[u] = 0; }),
+                                 parameters::start_set(v));
+  CGAL::geodesic_distance_matrix(mesh, vertices(mesh), vertices(mesh), [](std::size_t, const auto&) {});
+  distance[v] = CGAL::to_double(CGAL::geodesic_distance(mesh, v, get(CGAL::vertex_point, mesh, v)));
   std::vector<CGAL::Geodesic_offset_curve_type<Mesh>> curves;
   CGAL::geodesic_offset_curves(mesh, v, 0.1, std::back_inserter(curves), parameters::distance_limit(1));
   std::vector<Point_3> path;

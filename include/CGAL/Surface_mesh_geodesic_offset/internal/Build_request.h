@@ -12,6 +12,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Number_policy.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Merging_tolerance.h>
 
+#include <cstddef>
 #include <functional>
 #include <vector>
 
@@ -26,12 +27,16 @@ struct Build_request
   std::function<bool(double)> goes_on = {}; // called with the completed fraction; false stops the build
   Merging_tolerance<FT> tolerance = {};
   bool finds_farthest = false; // also compute the largest distance, including face interiors
+  bool keeps_memory = false;   // for the next build on this mesh; by one thread and without a tolerance
+  const std::vector<Located_point<FT>>* shared_targets = nullptr; // instead of `targets`, which are copied: the caller's,
+  std::size_t first_target = 0;                                   // from this one on
 
   // Drops what only the propagation needs, so that a field does not keep the visitor of its build alive.
   void release_inputs()
   {
     goes_on = nullptr;
     targets = {};
+    shared_targets = nullptr;
   }
 };
 

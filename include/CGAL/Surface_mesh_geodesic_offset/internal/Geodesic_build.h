@@ -39,13 +39,19 @@ public:
   template <class Concurrency_tag>
   using Consumer_of = Face_consumer<FT, typename Concurrency<Concurrency_tag, FT>::Team::Type>;
 
-  Geodesic_build(const Unfolded_mesh<FT>& mesh, const Source_set<FT>& source_set, const Build_request<FT>& request);
+  // `memory`: the field of a build with Build_request::keeps_memory on the mesh; the time is that of what its front has reached.
+  Geodesic_build(const Unfolded_mesh<FT>& mesh, const Source_set<FT>& source_set, const Build_request<FT>& request,
+                 Geodesic_field<FT>&& memory = Geodesic_field<FT>());
 
   // Continues another build with additional sources: starts from its distances and windows. The other build must have kept all
   // windows up to the maximum distance.
   Geodesic_build(const Geodesic_build& before, const Source_set<FT>& source_set, const Build_request<FT>& request);
 
   ~Geodesic_build();
+
+  // Adds a point as a source: the next propagation computes only the distances that it improves. Afterwards there are no queries of
+  // paths, since the windows of the other sources are dropped. Precondition: whole, exact, keeps memory but no windows.
+  void add_source(Index id, const Surface_point<FT>& p);
 
   // The parts to instantiate where these may be needed, see Build_part: all of them in the compiled library, which has one
   // propagation; only what the number type can have elsewhere.
@@ -95,8 +101,8 @@ public:
   // The farthest point by a search in all faces. Precondition: kept.
   std::optional<Farthest<FT>> find_farthest() const;
 
-  const Source_set<FT> sources;
-  const Initial_windows<FT> initial;
+  Source_set<FT> sources;
+  Initial_windows<FT> initial;
   FT maximum; // distances up to this value are final
   const bool kept;
   bool is_cancelled = false, has_all_targets = false;
@@ -120,7 +126,7 @@ private:
 
   const Unfolded_mesh<FT>& m_mesh;
   Build_request<FT> m_request;
-  const Index m_first_new = 0; // primitive
+  Index m_first_new = 0; // primitive
 };
 
 } // namespace CGAL::Geodesic_offset::internal

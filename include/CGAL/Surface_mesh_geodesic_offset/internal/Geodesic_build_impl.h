@@ -126,11 +126,30 @@ private:
 
 template <class Traits>
 Geodesic_build<Traits>::Geodesic_build(const Unfolded_mesh<FT>& mesh, const Source_set<FT>& source_set,
-                                       const Build_request<FT>& request)
+                                       const Build_request<FT>& request, Geodesic_field<FT>&& memory)
   : sources(source_set), initial(sources.initial_windows(mesh)), maximum(request.maximum), kept(request.keeps_windows),
-    suffixes(mesh.number_of_vertices()), suffixes_in_space(mesh.number_of_vertices()), m_mesh(mesh), m_request(request)
+    field(std::move(memory)), suffixes(mesh.number_of_vertices()), suffixes_in_space(mesh.number_of_vertices()), m_mesh(mesh),
+    m_request(request)
 {
+  field.keeps_memory = request.keeps_memory;
   field.clear(mesh, initial.start_values);
+}
+
+template <class Traits>
+void Geodesic_build<Traits>::add_source(Index id, const Surface_point<FT>& p)
+{
+  CGAL_precondition(is_whole() && !is_approximate() && !kept && field.keeps_memory);
+  sources.insert(id, {Source_set<FT>::POINT, {p}, {}, FT(0)});
+  m_first_new = Index(initial.primitives.size());
+  initial.local.clear();
+  initial.edges.clear();
+  initial.fans.clear();
+  initial.seeds.clear();
+  initial.set_start_value(FT(0));
+  initial.add_point(id, p);
+  initial.finish();
+  field.set_start_values(initial.start_values);
+  field.has_grown = true;
 }
 
 template <class Traits>
@@ -193,11 +212,13 @@ void Geodesic_build<Traits>::run_front(const Traits& traits, Consumer_of<Concurr
   const Front_traits<Traits, parts> front_traits(traits);
   Wavefront<Front_traits<Traits, parts>, Tag> front(m_mesh, initial, front_traits, maximum, kept, consumer.reads_lists(), field,
                                                     m_request.tolerance);
-  std::size_t next_target = 0;
+  std::size_t next_target = m_request.first_target;
   const auto goes_on = [&](const FT& distance, std::size_t passed) {
-    const auto& targets = m_request.targets;
-    while (next_target < targets.size() && is_final(front, targets[next_target], distance)) ++next_target;
-    has_all_targets = !targets.empty() && next_target == targets.size();
+    const auto has_all = [&](const auto& targets) {
+      while (next_target < targets.size() && is_final(front, targets[next_target], distance)) ++next_target;
+      return !targets.empty() && next_target == targets.size();
+    };
+    has_all_targets = m_request.shared_targets ? has_all(*m_request.shared_targets) : has_all(m_request.targets);
     if (has_all_targets || consumer.is_done()) return false;
     is_cancelled = m_request.goes_on && !m_request.goes_on(double(passed) / double(m_mesh.number_of_faces()));
     return !is_cancelled;
@@ -212,7 +233,9 @@ void Geodesic_build<Traits>::run_front(const Traits& traits, Consumer_of<Concurr
   statistics.windows_propagated = front.counts().windows_propagated;
   statistics.windows_peak = field.lists.peak();
   field.release_front();
-  field.path_length = Near_path<FT>(m_mesh, initial, field, !is_approximate()).lengths_at_vertices(maximum);
+  Near_path<FT>(m_mesh, initial, field, !is_approximate())
+    .measure_vertices(m_first_new == 0 || field.has_grown ? front.changed_vertices() : nullptr,
+                      field.has_grown ? m_first_new : 0, maximum, field.path_length);
 }
 
 // Stores the errors of merged windows. A merged window has no pseudo-source, so the backtrace ends at its image.
@@ -240,7 +263,10 @@ bool Geodesic_build<Traits>::is_final(const Front& front, const Surface_point<FT
 template <class Traits>
 typename Traits::FT Geodesic_build<Traits>::distance(const Located_point<FT>& p) const
 {
-  return Near_path<FT>(m_mesh, initial, field, !is_approximate()).distance(p, suffixes);
+  const Near_path<FT> near(m_mesh, initial, field, !is_approximate());
+  if (!field.keeps_memory) return near.distance(p, suffixes);
+  const No_suffix_cache<FT> no_suffixes{}; // a cache has the size of the mesh
+  return near.distance(p, no_suffixes);
 }
 
 template <class Traits>

@@ -44,6 +44,37 @@ struct Farthest
   Per_corner<FT> weights; // barycentric coordinates, exactly zero on edges
 };
 
+// What a front notes at the elements of a mesh. If it reaches few, they are listed, so that the next front clears only these.
+struct Front_marks
+{
+  std::vector<char> vertex_state, face_state; // bits of Wavefront_state; 0: the front has not been there
+  std::vector<char> is_finalized;             // true for finalized faces; read by all parts
+  std::vector<Index> reached_in;              // of Pending_faces
+  std::vector<Index> vertices, faces;         // those with marks, if
+  bool are_listed = false;                    // all of them are in these lists
+
+  // Longer lists do not pay: to propagate a face costs more than to pass over 64 faces.
+  static std::size_t most_listed(std::size_t number_of_faces) { return 64 + number_of_faces / 64; }
+
+  // Removes all marks.
+  void clear(std::size_t number_of_vertices, std::size_t number_of_faces)
+  {
+    if (are_listed)
+    {
+      for (const Index v : vertices) vertex_state[v] = 0;
+      for (const Index f : faces) face_state[f] = is_finalized[f] = 0;
+    }
+    else
+    {
+      vertex_state.assign(number_of_vertices, 0);
+      face_state.assign(number_of_faces, 0);
+      is_finalized.assign(number_of_faces, 0);
+    }
+    vertices.clear();
+    faces.clear();
+  }
+};
+
 template <class FT>
 class Geodesic_field
 {
@@ -59,6 +90,9 @@ public:
   Window_lists<FT> lists;                     // of halfedges in the front
   Kept_windows<FT> kept;                      // of finalized faces, if kept
   Start_values<FT> start_values;              // of the source primitives
+  bool keeps_memory = false;                  // of the front, for the next one on the same mesh
+  bool has_grown = false;                     // by sources that were added later: the marks are those of the last one
+  Front_marks marks;                          // of the last front, if its memory is kept
 
   // Initializes from another field and its windows. `other` must stay valid until release_front().
   void start_from(const Geodesic_field& other, const Start_values<FT>& starts)
@@ -73,23 +107,38 @@ public:
     m_add_earlier = &Geodesic_field::add_earlier_windows; // compiled only with updates
   }
 
-  // Sets all distances to infinity.
+  // Sets all distances to infinity. Takes the time of what a front has reached that has kept its memory on the same mesh.
   void clear(const Unfolded_mesh<FT>& mesh, const Start_values<FT>& starts)
   {
     m_mesh = &mesh;
-    distance.assign(mesh.number_of_vertices(), Number_policy<FT>::infinity());
-    back.assign(mesh.number_of_vertices(), Backtrace<FT>());
-    source_ref.assign(mesh.number_of_vertices(), Source_ref());
+    if (marks.are_listed && !has_grown)
+    {
+      for (const Index v : marks.vertices)
+      {
+        distance[v] = Number_policy<FT>::infinity();
+        back[v] = Backtrace<FT>();
+        source_ref[v] = Source_ref();
+      }
+      kept.clear(marks.faces);
+    }
+    else
+    {
+      distance.assign(mesh.number_of_vertices(), Number_policy<FT>::infinity());
+      back.assign(mesh.number_of_vertices(), Backtrace<FT>());
+      source_ref.assign(mesh.number_of_vertices(), Source_ref());
+      kept = Kept_windows<FT>();
+    }
+    has_grown = false;
     path_length.clear();
-    kept = Kept_windows<FT>();
     set_start_values(starts);
   }
 
   void release_front()
   {
-    lists = Window_lists<FT>();
     m_before = nullptr;
     m_add_earlier = nullptr;
+    if (keeps_memory) return lists.reset(m_mesh->number_of_halfedges(), Front_parts());
+    lists = Window_lists<FT>();
     kept.tidy();
   }
 
@@ -149,6 +198,12 @@ public:
     else kept.for_each(h, mesh[h].length, distance, source_ref, f);
   }
 
+  void set_start_values(const Start_values<FT>& starts)
+  {
+    start_values = starts;
+    kept.set_start_values(starts);
+  }
+
 private:
   // Out of line: its window on the stack would align the stack frame of every append.
   BOOST_NOINLINE void add_earlier_windows(Index h, Window_list<FT>& list, typename Window_lists<FT>::Arena& arena)
@@ -156,12 +211,6 @@ private:
     kept.for_each(h, (*m_mesh)[h].length, m_before->distance, m_before->source_ref, [&](const Window& w) {
       lists.replace(h, list, list.propagated.size, list.propagated.size, &w, &w + 1, arena);
     });
-  }
-
-  void set_start_values(const Start_values<FT>& starts)
-  {
-    start_values = starts;
-    kept.set_start_values(starts);
   }
 
   const Unfolded_mesh<FT>* m_mesh = nullptr; // until release_front()

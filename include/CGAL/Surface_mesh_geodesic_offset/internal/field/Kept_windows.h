@@ -52,6 +52,15 @@ public:
 
   void set_start_values(const Start_values<FT>& starts) { m_start_values = starts; }
 
+  // Removes all windows, which are those of `faces`.
+  void clear(const std::vector<Index>& faces)
+  {
+    if (m_begin.empty()) return;
+    for (const Index f : faces) std::fill_n(m_begin.begin() + 4 * std::ptrdiff_t(f), 4, Index(0));
+    m_sigma.clear();
+    m_size = m_live = 0;
+  }
+
   // Stores the lists of the halfedges of `faces`; a halfedge without a list keeps its stored windows. A window is dropped if it
   // is outdated: the distance of its pseudo-source (`distance`, per vertex) is now less than when the window was made, so the
   // window is nowhere shortest. The layout in memory does not depend on the number of threads.

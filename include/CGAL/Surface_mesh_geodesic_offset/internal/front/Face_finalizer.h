@@ -86,6 +86,7 @@ public:
   {
     CGAL_precondition(!is_finalized(f));
     if (m_state.face_state[f] & State::SCHEDULED) m_state.pending_faces.remove(f);
+    else m_state.list_marked(f, m_state.faces);
     m_state.is_finalized[f] = true;
     finalized.push_back(f);
   }

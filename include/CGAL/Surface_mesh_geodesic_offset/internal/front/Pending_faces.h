@@ -24,16 +24,17 @@ namespace CGAL::Geodesic_offset::internal {
 class Pending_faces
 {
 public:
-  // Zero faces: no query will follow.
-  Pending_faces(std::size_t number_of_faces, const Front_parts& parts)
-    : m_parts(parts), m_reached_in(number_of_faces, 0), m_counts(parts.number())
+  // `reached_in`: memory per face, whose values do not matter. Zero faces: no query will follow.
+  Pending_faces(std::size_t number_of_faces, const Front_parts& parts, std::vector<Index>& reached_in)
+    : m_parts(parts), m_is_used(number_of_faces > 0), m_reached_in(reached_in), m_counts(parts.number())
   {
+    m_reached_in.resize((std::max)(m_reached_in.size(), number_of_faces));
   }
 
   // Records that the front reaches face f in this bucket; buckets do not decrease.
   void add(Index f, std::size_t bucket)
   {
-    if (m_reached_in.empty()) return;
+    if (!m_is_used) return;
     // Saturates at the range of an index; an earlier bucket is always valid.
     const Index b = Index((std::min)(bucket, std::size_t((std::numeric_limits<Index>::max)() - 1)));
     Counts& counts = m_counts[m_parts.of_face(f)];
@@ -47,7 +48,7 @@ public:
 
   void remove(Index f)
   {
-    if (m_reached_in.empty()) return;
+    if (!m_is_used) return;
     Counts& counts = m_counts[m_parts.of_face(f)];
     CGAL_precondition(m_reached_in[f] >= counts.first && m_reached_in[f] - counts.first < counts.numbers.size());
     CGAL_precondition(counts.numbers[m_reached_in[f] - counts.first] > 0);
@@ -88,7 +89,8 @@ private:
   };
 
   const Front_parts m_parts;
-  std::vector<Index> m_reached_in; // per face
+  const bool m_is_used;
+  std::vector<Index>& m_reached_in; // per face
   std::vector<Counts> m_counts;
 };
 

@@ -78,7 +78,7 @@ public:
     if (!(state & (State::IS_PENDING | State::IS_TIED))) return;
     const bool was_hidden = state & State::WAS_HIDDEN, is_pending = state & State::IS_PENDING;
     const std::vector<Ray> tied = state & State::IS_TIED ? m_state.take_tied(v) : std::vector<Ray>();
-    state = State::HAS_SPREAD;
+    state = State::HAS_SPREAD | State::REACHED;
     const Source_ref source_ref = m_state.field.source_ref[v];
     if (was_hidden) m_mesh.for_each_fan(v, [&](Index first) { spread(v, Ray(), Ray(), first, source_ref, v, front); });
     else if (is_pending) spread_behind(v, m_state.field.back[v].ray(), source_ref, front);

@@ -124,6 +124,7 @@ public:
     m_pacing.set_next(m_start_values.next(first_primitive, m_pacing.last()));
     m_state.field.maximum = m_state.maximum;
     std::size_t settled_bucket = 1, reported_bucket = 1;
+    bool is_stopped = false;
     while (true)
     {
       start_sources();
@@ -132,7 +133,8 @@ public:
       { // one bucket less: rounding may put a distance into the next bucket
         reported_bucket = m_state.current();
         const FT final_up_to = FT(double(reported_bucket - 1) * m_state.bucket_width());
-        if (!goes_on(final_up_to, m_number_of_finalized))
+        is_stopped = !goes_on(final_up_to, m_number_of_finalized);
+        if (is_stopped)
         {
           m_state.maximum = (std::min)(m_state.maximum, final_up_to);
           m_state.field.maximum = m_state.maximum;
@@ -155,8 +157,12 @@ public:
     for_each_pending_face([this](Index f) { this->m_finalizer.finalize(f, this->m_finalized.faces); });
     if (consumer.reads_lists()) hand_over_pending(consumer, m_state.maximum);
     hand_over(consumer);
-    for (FT& d : m_state.field.distance)
+    const auto cut = [this](FT& d) {
       if (d > m_state.maximum) d = Number_policy<FT>::infinity();
+    };
+    if (m_state.has_marked_few() && !(m_is_update && is_stopped))
+      for (const Index v : m_state.vertices) cut(m_state.field.distance[v]);
+    else std::for_each(m_state.field.distance.begin(), m_state.field.distance.end(), cut);
   }
 
   Wavefront_counts counts() const { return m_state.counts(); }
@@ -164,6 +170,9 @@ public:
   Merging_counts merging_counts() const { return m_front.merging_counts(); }
 
   const FT& maximum() const { return m_state.maximum; }
+
+  // The vertices whose distance may have changed; null if they are many.
+  const std::vector<Index>* changed_vertices() const { return m_state.has_marked_few() ? &m_state.vertices : nullptr; }
 
   FT largest_distance(Index f) const { return m_state.largest_distance(f); }
 
@@ -176,13 +185,29 @@ private:
     return initial.source_of;
   }
 
-  // Calls f for each pending face.
+  // Calls f for each pending face, in increasing order.
   template <class Function>
   void for_each_pending_face(const Function& function)
   {
-    for (Index f = 0; f < m_mesh.number_of_faces(); ++f)
+    const auto visit = [&](Index f) {
       if (!m_finalizer.is_finalized(f) && (m_is_update ? m_state.face_state[f] != 0 : is_reached(f, m_state.maximum)))
         function(f);
+    };
+    if (m_state.has_marked_few())
+      for (const Index f : marked_faces()) visit(f);
+    else
+      for (Index f = 0; f < m_mesh.number_of_faces(); ++f) visit(f);
+  }
+
+  // The faces with marks, and those around the vertices with marks. Precondition: they are few.
+  std::vector<Index> marked_faces() const
+  {
+    std::vector<Index> result = m_state.faces;
+    for (const Index v : m_state.vertices)
+      for (const Index f : faces_of(m_mesh, Surface_point<FT>::at_vertex(v))) result.push_back(f);
+    std::sort(result.begin(), result.end());
+    result.erase(std::unique(result.begin(), result.end()), result.end());
+    return result;
   }
 
   // Starts the sources with start values not far beyond the front.

@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Geodesic_offset::internal {
@@ -42,7 +43,7 @@ struct Vertex_update
 };
 
 template <class FT>
-class Wavefront_state
+class Wavefront_state : public Front_marks
 {
 public:
   typedef CGAL::Geodesic_offset::internal::Window<FT> Window;
@@ -54,6 +55,7 @@ public:
     HAS_SPREAD = 2, // these rays have been started
     IS_BESIDE = 4,  // see Vertex_update
     WAS_HIDDEN = 8, // every window missed it through rounding, see reveal_vertex()
+    REACHED = 32,   // the distance may have changed
     IS_TIED = 16    // Part::tied has other directions from which the rays of a path have to be started
   };
   enum Face_state : char {
@@ -78,12 +80,30 @@ public:
   // supersets of them.
   Wavefront_state(const Unfolded_mesh<FT>& unfolded, const FT& maximum_distance, bool needs_all_envelopes,
                   Geodesic_field<FT>& geodesic_field, const Front_parts& front_parts = Front_parts())
-    : mesh(unfolded), maximum(maximum_distance), needs_envelopes(needs_all_envelopes), field(geodesic_field),
-      parts(front_parts), vertex_state(mesh.number_of_vertices(), 0), face_state(mesh.number_of_faces(), 0),
-      is_finalized(mesh.number_of_faces(), 0), pending_faces(needs_envelopes ? mesh.number_of_faces() : 0, parts),
-      m_part(parts.number(), Part(bucket_edges(parts) * mesh.mean_edge_length()))
+    : Front_marks(std::exchange(geodesic_field.marks, Front_marks())), mesh(unfolded), maximum(maximum_distance),
+      needs_envelopes(needs_all_envelopes), field(geodesic_field), parts(front_parts),
+      pending_faces(needs_envelopes ? mesh.number_of_faces() : 0, parts, reached_in),
+      m_part(parts.number(), Part(bucket_edges(parts) * mesh.mean_edge_length())),
+      m_most_listed(parts.number() == 1 ? most_listed(mesh.number_of_faces()) : 0)
   {
-    field.lists = Window_lists<FT>(mesh.number_of_halfedges(), parts);
+    Front_marks::clear(mesh.number_of_vertices(), mesh.number_of_faces());
+    field.lists.reset(mesh.number_of_halfedges(), parts);
+  }
+
+  // Also after an exception.
+  ~Wavefront_state()
+  {
+    are_listed = has_marked_few();
+    if (field.keeps_memory) field.marks = static_cast<Front_marks&&>(*this);
+  }
+
+  // True if all elements with marks are listed.
+  bool has_marked_few() const { return (std::max)(vertices.size(), faces.size()) < m_most_listed; }
+
+  // Lists an element that gets its first mark.
+  void list_marked(Index i, std::vector<Index>& items) const
+  {
+    if (items.size() < m_most_listed) items.push_back(i);
   }
 
   Part& part(Index i) { return m_part[i]; }
@@ -147,6 +167,8 @@ public:
   {
     const FT& d = a.distance;
     FT& known = field.distance[v];
+    if (!(vertex_state[v] & REACHED)) list_marked(v, vertices);
+    vertex_state[v] |= REACHED;
     // An improvement within rounding needs no second spreading, and none where rays were or are started by the source at v.
     const bool ties = Number_policy<FT>::is_inexact && !is_shorter(d, known), has_source = field.back[v].corner == no_index;
     const bool may_replace = !a.is_beside && !(vertex_state[v] & HAS_SPREAD) &&
@@ -298,6 +320,7 @@ public:
     if (face_state[f]) return;
     CGAL_precondition(is_awake(parts.of_face(f)) && !is_finalized[f]);
     face_state[f] = SCHEDULED;
+    list_marked(f, faces);
     Bucket_queue& queue = m_part[parts.of_face(f)].queue;
     pending_faces.add(f, queue.current());
     if (!may_read_distances || !postpone(f)) queue.push_face(queue.current() + 2, f);
@@ -410,8 +433,6 @@ public:
   bool starts_ties = true; // within a tolerance, merging closes the gaps that rays of directions that tie would fill
   Geodesic_field<FT>& field;
   const Front_parts parts;
-  std::vector<char> vertex_state, face_state; // bits
-  std::vector<char> is_finalized;             // true for finalized faces; read by all parts
   Pending_faces pending_faces;
 
 private:
@@ -430,6 +451,7 @@ private:
   static double bucket_edges(const Front_parts& parts) { return parts.number() > 1 ? 0.35 : 0.25; }
 
   std::vector<Part> m_part;
+  const std::size_t m_most_listed; // 0 with several parts
   std::size_t m_current = 0;
 };
 

@@ -59,6 +59,19 @@ typedef Joined_tags<Path_call_parameters,
   Approximate_call_parameters;
 typedef Joined_tags<Selection_parameters, Approximate_call_parameters> Offset_call_parameters;
 typedef Joined_tags<Approximate_call_parameters, Parameter_tags<internal_np::geodesic_targets_t>> Distance_call_parameters;
+// With a Geodesic_mesh, the parameters of the mesh are not read.
+template <bool is_set_up, class... Tags>
+using Call_parameters = Joined_tags<std::conditional_t<is_set_up, Parameter_tags<>, Mesh_parameters>, Parameter_tags<Tags...>>;
+template <bool is_set_up>
+using Pair_call_parameters = Call_parameters<is_set_up, internal_np::geodesic_distance_limit_t>;
+template <bool is_set_up>
+using Matrix_call_parameters =
+  Call_parameters<is_set_up, internal_np::geodesic_distance_limit_t, internal_np::geodesic_rows_in_order_t,
+                  internal_np::geodesic_upper_half_t, internal_np::visitor_t, internal_np::concurrency_tag_t>;
+template <bool is_set_up>
+using Farthest_call_parameters =
+  Call_parameters<is_set_up, internal_np::geodesic_start_set_t, internal_np::geodesic_covering_radius_t, internal_np::visitor_t,
+                  internal_np::geodesic_vertex_distance_t, internal_np::geodesic_vertex_source_t>;
 typedef Parameter_tags<internal_np::geodesic_chord_tolerance_t> Chord_parameters;
 typedef Parameter_tags<internal_np::geodesic_length_unit_t> Unit_parameters;
 typedef Joined_tags<Chord_parameters, Unit_parameters> Drawing_parameters;

@@ -24,6 +24,12 @@ CGAL_add_named_parameter(geodesic_targets_t, geodesic_targets, targets)
 CGAL_add_named_parameter(geodesic_relative_tolerance_t, geodesic_relative_tolerance, relative_tolerance)
 CGAL_add_named_parameter(geodesic_merging_tolerance_t, geodesic_merging_tolerance, merging_tolerance)
 
+CGAL_add_named_parameter(geodesic_rows_in_order_t, geodesic_rows_in_order, rows_in_order)
+CGAL_add_named_parameter(geodesic_upper_half_t, geodesic_upper_half, upper_half)
+CGAL_add_named_parameter(geodesic_start_set_t, geodesic_start_set, start_set)
+CGAL_add_named_parameter(geodesic_covering_radius_t, geodesic_covering_radius, covering_radius)
+CGAL_add_named_parameter(geodesic_vertex_source_t, geodesic_vertex_source, vertex_source_map)
+
 CGAL_add_named_parameter(geodesic_offset_side_t, geodesic_offset_side, offset_side)
 CGAL_add_named_parameter(geodesic_end_style_t, geodesic_end_style, end_style)
 

@@ -91,28 +91,29 @@ public:
   template <class Suffix_cache>
   Path_start<FT> operator()(const Located_point<FT>& p, Suffix_cache& suffixes) const;
 
-  // Distances by path length of the vertices near sources for which it differs from the distance by windows by more than
-  // rounding. Vertices farther than `maximum` are left out.
-  std::map<Index, FT> lengths_at_vertices(const FT& maximum) const
+  // Sets the distances by path length of the vertices near sources for which it differs from the distance by windows by more than
+  // rounding: of some vertices (null: of all) not farther than `maximum`, whose nearest primitive is `first` or later.
+  void measure_vertices(const std::vector<Index>* vertices, Index first, const FT& maximum, std::map<Index, FT>& result) const
   {
-    std::map<Index, FT> result;
     if constexpr (Number_policy<FT>::is_inexact)
     {
-      if (!m_measures) return result;
+      if (!m_measures) return;
       const Path_start_query<FT> starts(m_mesh, m_initial, m_field);
       const No_suffix_cache<FT> no_suffixes{};
       const FT limit = (std::min)(maximum, FT(m_field.start_values.largest() + FT(near_part) * m_mesh.longest_edge()));
-      for (Index v = 0; v < m_mesh.number_of_vertices(); ++v)
-      {
-        if (!(m_field.distance[v] <= limit)) continue;
+      const auto measure_vertex = [&](Index v) {
+        if (!(m_field.distance[v] <= limit) || m_field.source_ref[v].primitive() < first) return;
+        if (first > 0) result.erase(v);
         const auto p = Surface_point<FT>::at_vertex(v);
         Path_start<FT> start = starts.at_vertex(v);
-        if (start.halfedge == no_index || !is_near(p, start.length())) continue;
+        if (start.halfedge == no_index || !is_near(p, start.length())) return;
         measure(p, no_suffixes, start);
         if (start.is_measured) result.emplace_hint(result.end(), v, start.distance);
-      }
+      };
+      if (vertices != nullptr) std::for_each(vertices->begin(), vertices->end(), measure_vertex);
+      else
+        for (Index v = 0; v < m_mesh.number_of_vertices(); ++v) measure_vertex(v);
     }
-    return result;
   }
 
 private:

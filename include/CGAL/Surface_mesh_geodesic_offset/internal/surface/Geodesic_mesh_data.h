@@ -15,6 +15,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/parameters/named_parameters.h>
 
 #include <array>
+#include <list>
 #include <memory>
 #include <mutex>
 #include <stdexcept>
@@ -74,6 +75,21 @@ struct Geodesic_mesh_data
 
   const Unfolded_mesh<Number>& unfolded() const { return surface().unfolded; }
 
+  // The memory of a build for the next one: a list of one Geodesic_build, or of a null pointer. It is to be given back.
+  std::list<std::shared_ptr<void>> take_memory() const
+  {
+    const std::lock_guard<std::mutex> lock(m_memory_mutex);
+    std::list<std::shared_ptr<void>> result;
+    if (m_memory.empty()) result.emplace_back();
+    else result.splice(result.begin(), m_memory, m_memory.begin());
+    return result;
+  }
+  void give_back_memory(std::list<std::shared_ptr<void>>& memory) const
+  {
+    const std::lock_guard<std::mutex> lock(m_memory_mutex);
+    m_memory.splice(m_memory.begin(), memory);
+  }
+
   // \throws std::invalid_argument if the vertex is null, removed or of another mesh
   Located_point classified(vertex_descriptor v) const { return Surface_point::at_vertex(surface().checked_index_of(v)); }
 
@@ -129,6 +145,8 @@ private:
   // Made by the first location, so that the locator is compiled only where it is used.
   mutable std::once_flag m_locator_once;
   mutable std::shared_ptr<const void> m_locator; // a Locator
+  mutable std::mutex m_memory_mutex;
+  mutable std::list<std::shared_ptr<void>> m_memory; // of builds
 };
 
 // Tag: the named parameters may be more than those of a mesh.

@@ -36,6 +36,7 @@ struct alignas(sizeof(FT) == 8 ? 64 : (std::max)(alignof(FT), alignof(std::size_
   FT split_distance = Number_policy<FT>::infinity(); // "one angle, one split": smallest distance of the
   FT split_entry = FT(0);                            // apex through this halfedge, and the entry of its ray
   bool is_reduced = false;                           // set by Halfedge_batch: the propagated windows are a lower envelope
+  Index halfedge = no_index;                         // the last one with this list
 
   bool has_new() const { return pending.data; }
 };
@@ -58,6 +59,24 @@ public:
   explicit Window_lists(std::size_t number_of_halfedges, const Front_parts& parts = Front_parts())
     : m_parts(parts), m_place(number_of_halfedges, no_index), m_part(parts.number())
   {
+  }
+
+  // Makes the lists empty for a front. One of one part has the memory of the front before it on the same mesh.
+  void reset(std::size_t number_of_halfedges, const Front_parts& parts)
+  {
+    if (m_place.size() != number_of_halfedges || m_part.size() != 1 || parts.number() != 1)
+    {
+      *this = Window_lists(number_of_halfedges, parts);
+      return;
+    }
+    Part& part = m_part.front();
+    for (List& list : part.lists)
+    {
+      if (list.halfedge != no_index) m_place[list.halfedge] = no_index;
+      drop(list.pending, m_arenas.front().pending);
+      drop(list.propagated, m_arenas.front().propagated);
+    }
+    part = Part();
   }
 
   // The number of source primitives, each of which may have own windows on every edge.
@@ -86,7 +105,9 @@ public:
     if (part.free.empty()) add_list(part);
     m_place[h] = part.free.back();
     part.free.pop_back();
-    return part.lists[m_place[h]] = List();
+    List& list = part.lists[m_place[h]] = List();
+    list.halfedge = h;
+    return list;
   }
 
   // Appends n pending windows to the list of a halfedge.
