@@ -79,9 +79,17 @@ public:
   // Sets the start value of the sources that are added next.
   void set_start_value(const FT& s) { m_start_value = s; }
 
-  void add_point(Index source, const Surface_point_& p)
+  // A point on a barrier is a point on each side.
+  void add_point(Index source, const Surface_point_& point)
   {
-    const Source_ref source_ref(add_primitive({source, 0, false}, {p, p}), Source_side::NONE);
+    for_each_side(m_mesh, point, [&](const Surface_point_& p) {
+      add_all_directions({source, 0, false}, p, Source_side::NONE);
+    });
+  }
+
+  void add_all_directions(const Source_primitive& primitive, const Surface_point_& p, Source_side side)
+  {
+    const Source_ref source_ref(add_primitive(primitive, {p, p}), side);
     if (p.kind == Surface_point_::VERTEX)
     {
       add_seed_at_source(p.element, source_ref);

@@ -14,6 +14,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Initial_windows.h>
 
 #include <algorithm>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -50,14 +51,19 @@ public:
       return;
     }
     straighten(segments, closed);
-    for (const Segment& s : segments) add_segment(source, s);
+    for (const Segment& s : segments)
+    {
+      add_segment(source, s);
+      if (const auto other = across_barrier(s)) add_segment(source, *other);
+    }
     const std::size_t m = segments.size();
     if (!closed)
     {
-      add_end(source, segments.front().first, segments.front(), false, 0);
-      add_end(source, segments.back().second, segments.back(), true, Index(n - 1));
+      add_corner(source, segments.front().first, nullptr, &segments.front(), 0);
+      add_corner(source, segments.back().second, &segments.back(), nullptr, Index(n - 1));
     }
-    for (std::size_t i = closed ? 0 : 1; i < m; ++i) add_joint(source, segments[(i + m - 1) % m], segments[i]);
+    for (std::size_t i = closed ? 0 : 1; i < m; ++i)
+      add_corner(source, segments[i].first, &segments[(i + m - 1) % m], &segments[i], segments[i].part);
   }
 
   // Adds edges, given by one halfedge each.
@@ -67,17 +73,18 @@ public:
     std::vector<char> is_source(m_mesh.number_of_halfedges(), 0);
     for (std::size_t i = 0; i < halfedges.size(); ++i)
     {
-      const Index h = halfedges[i];
-      if (is_source[h]) continue;
-      is_source[h] = 1;
-      const Index primitive =
-        m_out.add_primitive({source, Index(i), true},
-                            {Surface_point_::at_vertex(m_mesh.source(h)), Surface_point_::at_vertex(m_mesh.target(h))});
-      const Source_ref source_ref(primitive, Source_side::NONE);
-      m_out.add_edge_windows(h, FT(0), m_mesh[h].length, source_ref, source_ref);
-      if (m_mesh.twin(h) != no_index) is_source[m_mesh.twin(h)] = 1;
-      ends.push_back(m_mesh.source(h));
-      ends.push_back(m_mesh.target(h));
+      for (const Index h : {halfedges[i], m_mesh.across_barrier(halfedges[i])})
+      {
+        if (h == no_index || is_source[h]) continue;
+        is_source[h] = 1;
+        const Index primitive =
+          m_out.add_primitive({source, Index(i), true},
+                              {Surface_point_::at_vertex(m_mesh.source(h)), Surface_point_::at_vertex(m_mesh.target(h))});
+        const Source_ref source_ref(primitive, Source_side::NONE);
+        m_out.add_edge_windows(h, FT(0), m_mesh[h].length, source_ref, source_ref);
+        if (m_mesh.twin(h) != no_index) is_source[m_mesh.twin(h)] = 1;
+        for (const Index v : {m_mesh.source(h), m_mesh.target(h)}) m_mesh.for_each_copy(v, [&](Index w) { ends.push_back(w); });
+      }
     }
     std::sort(ends.begin(), ends.end());
     ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
@@ -109,16 +116,16 @@ private:
   // many tiny segments is not lost.
   bool make_segment(const Surface_point_& p, const Surface_point_& q, std::size_t number, FT& left_out, Segment& s) const
   {
-    s.first = p;
-    s.second = q;
-    s.face = face_of_both(m_mesh, p, q, s.a, s.b, s.edge);
+    find_face(p, q, s);
     if (s.face == no_index)
       throw std::invalid_argument("Surface_mesh_geodesic_offset: point " + std::to_string(number) +
                                   " of a polyline and the next one have no face in common");
-    if (p.kind == Surface_point_::VERTEX && q.kind == Surface_point_::VERTEX && p.element == q.element) return false;
+    if (s.first.kind == Surface_point_::VERTEX && s.second.kind == Surface_point_::VERTEX &&
+        s.first.element == s.second.element)
+      return false;
     const FT size = length(s.b - s.a);
     if (!CGAL::is_positive(size)) return false;
-    if (are_of_one_element(m_mesh, p, q) && left_out + size <= size_of_point(m_mesh, s.face))
+    if (are_of_one_element(m_mesh, s.first, s.second) && left_out + size <= size_of_point(m_mesh, s.face))
     {
       left_out += size;
       return false;
@@ -133,6 +140,47 @@ private:
     s.uncertainty = s.edge ? FT(0) : m_out.direction_uncertainty(s.face, size);
     s.is_short = size <= largest_short_part() * Face_frame<FT>(m_mesh, s.face).longest_edge();
     return true;
+  }
+
+  // Finds a face of both ends, one where they are on the same edge if there is one, and the sides of barriers of this face.
+  void find_face(const Surface_point_& p, const Surface_point_& q, Segment& s) const
+  {
+    s.face = no_index;
+    for_each_side(m_mesh, p, [&](const Surface_point_& first) {
+      for_each_side(m_mesh, q, [&](const Surface_point_& second) {
+        Segment t = s;
+        const Index face = face_of_both(m_mesh, first, second, t.a, t.b, t.edge);
+        if (face == no_index || (s.face != no_index && (s.edge || !t.edge))) return;
+        t.first = first;
+        t.second = second;
+        t.face = face;
+        s = t;
+      });
+    });
+  }
+
+  // The segment on the other side of the barrier along which it runs; empty if there is none.
+  std::optional<Segment> across_barrier(const Segment& s) const
+  {
+    const Index h = s.edge ? m_mesh.across_barrier(3 * s.face + Index(edge_of_bit(s.edge))) : no_index;
+    if (h == no_index) return std::nullopt;
+    Segment other = s;
+    other.face = m_mesh.face(h);
+    for (Surface_point_* const p : {&other.first, &other.second})
+    {
+      const Surface_point_ known = *p;
+      for_each_side(m_mesh, known, [&](const Surface_point_& q) {
+        if (q.kind == Surface_point_::VERTEX ? q.element == m_mesh.source(h) || q.element == m_mesh.target(h) : q.element == h)
+          *p = q;
+      });
+    }
+    unsigned edges;
+    position_in_face(m_mesh, other.first, other.face, other.a, edges);
+    position_in_face(m_mesh, other.second, other.face, other.b, edges);
+    other.edge = 1u << h % 3;
+    const Point along = Face_frame<FT>(m_mesh, other.face).direction(int(h % 3));
+    other.direction = CGAL::is_negative(dot(along, other.b - other.a)) ? FT(-1) * along : along;
+    return other;
   }
 
   // Length of a short segment, as a part of an edge: a straight path of 2^14 edges may miss its goal by as much, see
@@ -165,6 +213,7 @@ private:
   void take_direction(const Segment& known, const Surface_point_& p, Segment& s) const
   {
     if (!(known.uncertainty < s.uncertainty) || p.kind == Surface_point_::VERTEX) return;
+    if (p.kind == Surface_point_::EDGE && m_mesh.across_barrier(p.element) != no_index) return;
     Point t = vector_in_face(m_mesh, p, s.face, vector_at_point(m_mesh, p, known.face, known.direction));
     if (CGAL::is_negative(dot(t, s.direction))) t = FT(-1) * t;
     // The rounding of a large face must not count in a tiny face next to it.
@@ -243,6 +292,33 @@ private:
     return vector_at_point(m_mesh, p, s.face, at_second ? FT(-1) * s.direction : s.direction);
   }
 
+  // Adds the rays from the end of a segment, where another one may start. On a barrier, each side has its own.
+  void add_corner(Index source, const Surface_point_& point, const Segment* in, const Segment* out, Index part)
+  {
+    for_each_side(m_mesh, point, [&](const Surface_point_& p) {
+      const std::optional<Segment> arriving = on_side(in, p), leaving = on_side(out, p);
+      if (arriving && leaving) add_joint(source, p, *arriving, *leaving);
+      else if (arriving) add_end(source, p, *arriving, true, part);
+      else if (leaving) add_end(source, p, *leaving, false, part);
+      else m_out.add_all_directions({source, part, false}, p, Source_side::CAP);
+    });
+  }
+
+  // The segment, or that on the other side of its barrier, if it is in a face of the side of p.
+  std::optional<Segment> on_side(const Segment* s, const Surface_point_& p) const
+  {
+    if (!s) return std::nullopt;
+    const auto is_beside = [&](const Segment& t) {
+      if (p.kind == Surface_point_::VERTEX)
+        return m_mesh.source(3 * t.face) == p.element || m_mesh.source(3 * t.face + 1) == p.element ||
+               m_mesh.source(3 * t.face + 2) == p.element;
+      return m_mesh.across_barrier(p.element) == no_index || m_mesh.face(p.element) == t.face;
+    };
+    if (p.kind == Surface_point_::FACE || is_beside(*s)) return *s;
+    const auto other = across_barrier(*s);
+    return other && is_beside(*other) ? other : std::nullopt;
+  }
+
   void add_end(Index source, const Surface_point_& p, const Segment& s, bool at_second, Index part)
   {
     const Source_ref source_ref(m_out.add_primitive({source, part, false, s.is_short}, {p, p}), Source_side::CAP);
@@ -260,9 +336,8 @@ private:
     m_out.add_flat_sector(p, &from, &to, source_ref);
   }
 
-  void add_joint(Index source, const Segment& in, const Segment& out)
+  void add_joint(Index source, const Surface_point_& p, const Segment& in, const Segment& out)
   {
-    const Surface_point_& p = out.first;
     const Index primitive = m_out.add_primitive({source, out.part, false, in.is_short || out.is_short}, {p, p});
     const Source_ref left(primitive, Source_side::LEFT), right(primitive, Source_side::RIGHT);
     if (p.kind == Surface_point_::VERTEX)
