@@ -8,6 +8,10 @@
 #include "path_tools.h"
 #include "test_check.h"
 
+#include <CGAL/Surface_mesh_geodesic_offset/Surface_mesh_geodesic_enclosure.h>
+#include <CGAL/Surface_mesh_geodesic_offset/split_along_offset_curves.h>
+#include <CGAL/Surface_mesh_geodesic_offset/split_along_polylines.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -24,6 +28,7 @@ namespace test_barriers {
 
 using namespace test;
 
+typedef CGAL::Surface_mesh_geodesic_enclosure<CGAL::Surface_mesh_geodesic_offset_traits<Kernel, Surface_mesh>> Enclosure;
 typedef std::pair<std::size_t, std::size_t> Edge; // numbers of two vertices of a soup, the smaller one first
 typedef std::set<Edge> Barrier_edges;
 
@@ -251,6 +256,16 @@ public:
       check(with_barriers_.distance_to_sources(meshes_.whole_data.vertices[v]), least, size);
       if (std::isfinite(least)) largest = (std::max)(largest, least);
     }
+    Enclosure bounds(with_barriers_.mesh());
+    bounds.add_sources(with_barriers_.sources());
+    bounds.build();
+    for (const Vertex_index v : meshes_.whole_data.vertices)
+    {
+      const double d = with_barriers_.distance_to_sources(v);
+      const auto b = bounds.distance_bounds(v);
+      CHECK_DETAIL(b.first <= d * (1 + 1e-13) + 1e-14 && d <= b.second * (1 + 1e-13) + 1e-14, values(b.first, b.second));
+      CHECK(!(std::isfinite(d) && b.second - b.first > 1e-11 * size));
+    }
     for (std::size_t i = 0; i < 60; ++i)
     {
       const Place p = random_place(meshes_.soup, random_, i % 3);
@@ -368,9 +383,13 @@ public:
       {
         if (s.first == p) rays.push_back(minus(s.second, p));
         if (s.second == p) rays.push_back(minus(s.first, p));
+        if (cross(minus(s.first, p), minus(s.second, p)) == 0 && dot(minus(s.first, p), minus(s.second, p)) < 0)
+          for (const Point& q : {s.first, s.second}) rays.push_back(minus(q, p));
       }
       std::sort(rays.begin(), rays.end(),
                 [](const Point& a, const Point& b) { return half(a) != half(b) ? half(a) < half(b) : cross(a, b) > 0; });
+      const auto is_same = [](const Point& a, const Point& b) { return cross(a, b) == 0 && dot(a, b) > 0; };
+      rays.erase(std::unique(rays.begin(), rays.end(), is_same), rays.end());
       rays_.push_back(rays);
     }
   }
@@ -516,10 +535,131 @@ void plates()
   }
 }
 
+// Slits anywhere on a plate: the mesh is split along them first.
+void slits_in_faces()
+{
+  const int n = 5, side = 3, size = n * side;
+  for (unsigned seed = 1; seed <= 200; ++seed)
+  {
+    Random random(2000 + seed);
+    Report::instance().set_context("slits, seed " + std::to_string(seed));
+    const Soup soup = planar_grid(n, n, Diagonals::random, side, 0, seed);
+    Generated_mesh<Surface_mesh> data(soup);
+    std::vector<std::pair<Visibility::Point, Visibility::Point>> slits;
+    std::vector<Geodesic::Polyline> polylines;
+    {
+      const Geodesic geodesic(data.mesh);
+      for (std::size_t chains = 1 + uniform_index(random, 4); chains > 0; --chains)
+      {
+        std::vector<Visibility::Point> ends;
+        std::vector<Point_3> points;
+        for (std::size_t k = 2 + uniform_index(random, 3); k > 0; --k)
+        {
+          const int x = int(uniform_index(random, std::size_t(size + 1))),
+                    y = int(uniform_index(random, std::size_t(size + 1)));
+          const Visibility::Point p{x, y};
+          if (!ends.empty() && ends.back() == p) continue;
+          ends.push_back(p);
+          points.emplace_back(x, y, 0);
+        }
+        for (std::size_t i = 0; i + 1 < ends.size(); ++i) slits.emplace_back(ends[i], ends[i + 1]);
+        polylines.push_back(geodesic.locate_polyline(points, CGAL::parameters::is_closed(false)));
+      }
+    }
+    double length = 0;
+    for (const auto& s : slits) length += std::hypot(s.first.x - s.second.x, s.first.y - s.second.y);
+    auto is_barrier = data.mesh.add_property_map<Surface_mesh::Edge_index, bool>("e:barrier", false).first;
+    CGAL::split_along_polylines(data.mesh, polylines, CGAL::parameters::edge_is_constrained_map(is_barrier));
+    CHECK(CGAL::is_valid_polygon_mesh(data.mesh) && CGAL::is_triangle_mesh(data.mesh));
+    double sum = 0;
+    for (const auto e : data.mesh.edges())
+      if (is_barrier[e])
+        sum += test::distance(data.mesh.point(data.mesh.vertex(e, 0)), data.mesh.point(data.mesh.vertex(e, 1)));
+    CHECK_DETAIL(sum <= length * (1 + 1e-12) && sum > 0, values(sum, length)); // slits may have parts in common
+    const Visibility::Point corners[] = {{0, 0}, {size, 0}, {size, size}, {0, size}};
+    for (std::size_t k = 0; k < 4; ++k) slits.emplace_back(corners[k], corners[(k + 1) % 4]);
+    const Visibility visibility(slits, size);
+    Geodesic geodesic(data.mesh, CGAL::parameters::edge_is_constrained_map(is_barrier));
+    const auto vertex = [&] { return data.vertices[uniform_index(random, data.vertices.size())]; };
+    const auto point = [&](Vertex_index v) {
+      return Visibility::Point{int(data.mesh.point(v).x()), int(data.mesh.point(v).y())};
+    };
+    const Vertex_index source = vertex();
+    geodesic.add_source_point(source);
+    geodesic.build();
+    for (std::size_t i = 0; i < 20; ++i)
+    {
+      const Vertex_index v = vertex();
+      const double d = geodesic.distance_to_sources(v), e = visibility.distance(point(source), point(v));
+      CHECK_DETAIL(d == e || std::abs(d - e) <= 1e-12 * (1 + e), values(d, e));
+    }
+  }
+}
+
+// A closed polyline that is source and barrier: its sides, and the bands of offsets on both sides.
+void wall()
+{
+  const Soup soup = planar_grid(8, 8);
+  Generated_mesh<Surface_mesh> data(soup);
+  std::vector<Geodesic::Polyline> walls;
+  {
+    const Geodesic geodesic(data.mesh);
+    walls.push_back(geodesic.locate_polyline(
+      std::vector<Point_3>{Point_3(2, 2, 0), Point_3(6, 2, 0), Point_3(6, 6, 0), Point_3(2, 6, 0)},
+      CGAL::parameters::is_closed(true)));
+  }
+  auto is_barrier = data.mesh.add_property_map<Surface_mesh::Edge_index, bool>("e:barrier", false).first;
+  CGAL::split_along_polylines(data.mesh, walls, CGAL::parameters::edge_is_constrained_map(is_barrier));
+  CHECK(data.mesh.number_of_vertices() == soup.points.size()); // along edges
+  Geodesic geodesic(data.mesh, CGAL::parameters::edge_is_constrained_map(is_barrier));
+  const std::size_t id = geodesic.add_source_polyline(walls[0]);
+  CHECK(geodesic.inner_sides().at(id).side == CGAL::Source_side::LEFT);
+  geodesic.build(CGAL::parameters::keep_windows(true));
+  for (const Vertex_index v : data.vertices)
+  {
+    const Point_3& p = data.mesh.point(v);
+    const double inside = (std::min)({p.x() - 2, 6 - p.x(), p.y() - 2, 6 - p.y()}), d = geodesic.distance_to_sources(v);
+    const auto s = geodesic.signed_distance_to_sources(v);
+    if (inside > 0) CHECK_DETAIL(s && std::abs(*s + inside) <= 1e-13 && std::abs(d - inside) <= 1e-13, values(d, inside));
+    if (inside < 0)
+      CHECK(s && *s > 0 &&
+            std::abs(*s - std::hypot((std::max)({2 - p.x(), p.x() - 6, 0.}), (std::max)({2 - p.y(), p.y() - 6, 0.}))) <= 1e-12);
+  }
+  CHECK(std::abs(total_length(offsets(geodesic, 0.5)) - (4 * 3 + 4 * 4 + CGAL_PI)) <= 1e-12);
+  CHECK(std::abs(total_length(offsets(geodesic, 0.5, CGAL::Offset_side::INSIDE)) - 4 * 3) <= 1e-12);
+  CHECK(std::abs(total_length(offsets(geodesic, 0.5, CGAL::Offset_side::OUTSIDE)) - (4 * 4 + CGAL_PI)) <= 1e-12);
+
+  // bands from a point inside: those outside are not reached
+  geodesic.clear_sources();
+  geodesic.add_source_point(data.vertices[4 * 9 + 4]);
+  geodesic.build(CGAL::parameters::keep_windows(true));
+  const Offset_curves curves = offsets(geodesic, std::vector<double>{1.1, 1.9});
+  const double reached = CGAL_PI * 1.9 * 1.9;
+  std::vector<double> distance(data.mesh.number_of_vertices());
+  geodesic.vertex_distances(CGAL::make_property_map(distance));
+  const auto distance_map = data.mesh.add_property_map<Vertex_index, double>("v:distance").first;
+  for (const Vertex_index v : data.vertices) distance_map[v] = distance[v.idx()];
+  const auto band = data.mesh.add_property_map<Surface_mesh::Face_index, std::size_t>("f:band").first;
+  CGAL::split_along_offset_curves(data.mesh, curves, CGAL::parameters::face_band_map(band).vertex_distance_map(distance_map));
+  double area[3] = {0, 0, 0};
+  for (const auto f : data.mesh.faces())
+  {
+    const auto h = data.mesh.halfedge(f);
+    const Point_3 p = data.mesh.point(data.mesh.source(h)), q = data.mesh.point(data.mesh.target(h)),
+                  r = data.mesh.point(data.mesh.target(data.mesh.next(h)));
+    area[band[f]] += std::sqrt(CGAL::squared_area(p, q, r));
+  }
+  CHECK_DETAIL(std::abs(area[0] - CGAL_PI * 1.1 * 1.1) <= 1e-2 && std::abs(area[0] + area[1] - reached) <= 1e-2,
+               values(area[0], area[1]));
+}
+
 } // namespace test_barriers
 
 GEODESIC_OFFSET_TEST(test_barriers)
 {
-  const std::pair<const char*, void (*)()> tests[] = {{"cut open", test_barriers::cut_open}, {"plates", test_barriers::plates}};
+  const std::pair<const char*, void (*)()> tests[] = {{"cut open", test_barriers::cut_open},
+                                                      {"plates", test_barriers::plates},
+                                                      {"slits in faces", test_barriers::slits_in_faces},
+                                                      {"wall", test_barriers::wall}};
   return run_tests("test_barriers", tests);
 }

@@ -107,6 +107,14 @@ public:
   // The halfedge on the other side of a barrier; no_index for a halfedge that is on none.
   Index across(Index h) const { return m_across.partner(h, no_index); }
 
+  // Calls f with one halfedge of each barrier.
+  template <class Function>
+  void for_each_edge(const Function& f) const
+  {
+    for (const auto& a : m_across)
+      if (a.first < a.second) f(a.first);
+  }
+
   // The first copy of a vertex.
   Index first_copy(Index v) const { return m_first.partner(v, v); }
 

@@ -173,6 +173,13 @@ public:
   // The halfedge on the other side of a barrier; no_index for a halfedge that is on none.
   Index across_barrier(Index h) const { return m_cut ? m_cut->barriers.across(h) : no_index; }
 
+  // Calls f with one halfedge of each barrier.
+  template <class Function>
+  void for_each_barrier(const Function& f) const
+  {
+    if (m_cut) m_cut->barriers.for_each_edge(f);
+  }
+
   // The vertex of which v is a copy, or v itself.
   Index first_copy(Index v) const { return m_cut ? m_cut->barriers.first_copy(v) : v; }
 
