@@ -41,7 +41,7 @@ typedef Joined_tags<Mesh_with_points_parameters,
   Mesh_parameters;
 typedef Parameter_tags<internal_np::point_t, internal_np::geom_traits_t> Polygon_soup_parameters;
 typedef Parameter_tags<internal_np::snapping_tolerance_t> Location_parameters;
-typedef Parameter_tags<internal_np::geodesic_is_closed_t> Joining_parameters;
+typedef Parameter_tags<internal_np::geodesic_is_closed_t, internal_np::geodesic_start_values_t> Joining_parameters;
 typedef Parameter_tags<internal_np::geodesic_start_value_t> Source_parameters;
 typedef Joined_tags<Source_parameters, Joining_parameters> Polyline_source_parameters;
 typedef Parameter_tags<internal_np::visitor_t, internal_np::verbose_t, internal_np::concurrency_tag_t> Update_parameters;
@@ -115,6 +115,22 @@ FT start_value_of(const NamedParameters& np)
   check_named_parameters<Tags, NamedParameters>();
   const auto value = parameters::choose_parameter(parameters::get_parameter(np, internal_np::geodesic_start_value), FT(0));
   return NT_converter<std::decay_t<decltype(value)>, FT>()(value);
+}
+
+// The start values of the points of a polyline; empty without the parameter.
+// \throws std::invalid_argument if there are not as many as points
+template <class FT, class NamedParameters>
+std::vector<FT> start_values_of([[maybe_unused]] const NamedParameters& np, [[maybe_unused]] std::size_t number_of_points)
+{
+  std::vector<FT> values;
+  if constexpr (has_parameter<internal_np::geodesic_start_values_t, NamedParameters>)
+  {
+    const auto& given = parameters::get_parameter(np, internal_np::geodesic_start_values);
+    for (const auto& s : internal_np::get_reference(given)) values.push_back(NT_converter<std::decay_t<decltype(s)>, FT>()(s));
+    if (values.size() != number_of_points)
+      throw std::invalid_argument("Surface_mesh_geodesic_offset: a polyline has not as many start values as points");
+  }
+  return values;
 }
 
 // True if the last point of a polyline is joined to the first one. `otherwise`: without the parameter.

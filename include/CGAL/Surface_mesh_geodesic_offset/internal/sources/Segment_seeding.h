@@ -31,7 +31,8 @@ public:
 
   Segment_seeding(const Unfolded_mesh<FT>& mesh, Initial_windows<FT>& out) : m_mesh(mesh), m_sector(mesh), m_out(out) {}
 
-  void add_polyline(Index source, const std::vector<Surface_point_>& points, bool closed)
+  // start_values: of the points, linear between them; empty if they are equal, see Initial_windows::set_start_value().
+  void add_polyline(Index source, const std::vector<Surface_point_>& points, const std::vector<FT>& start_values, bool closed)
   {
     const std::size_t n = points.size();
     if (n == 0) return;
@@ -42,7 +43,12 @@ public:
       Segment s;
       const Surface_point_ &p = points[i], &q = points[(i + 1) % n];
       s.part = Index(i);
-      if (make_segment(p, q, i, left_out, s)) segments.push_back(s);
+      if (!start_values.empty()) s.starts = {start_values[i], start_values[(i + 1) % n]};
+      if (make_segment(p, q, i, left_out, s))
+      {
+        set_slope(s, i);
+        segments.push_back(s);
+      }
       else m_out.add_primitive({source, s.part, true}, {p, q}); // sends no rays, but certified bounds count it
     }
     if (segments.empty() || (closed && segments.size() == 1)) // a single segment is as short as those that lead back
@@ -53,6 +59,8 @@ public:
     straighten(segments, closed);
     for (const Segment& s : segments)
     {
+      if (s.is_silent) continue;
+      if (s.starts) m_out.set_start_value((std::min)(s.starts->first, s.starts->second));
       add_segment(source, s);
       if (const auto other = across_barrier(s)) add_segment(source, *other);
     }
@@ -105,9 +113,12 @@ private:
     Point a, b;
     unsigned edge; // bit of the halfedge that contains both ends, or 0
     Index part;
-    Point direction; // unit vector from a to b
-    FT uncertainty;  // of the direction, an angle
-    bool is_short;   // see Source_primitive
+    Point direction;                              // unit vector from a to b
+    FT uncertainty;                               // of the direction, an angle
+    bool is_short;                                // see Source_primitive
+    std::optional<std::pair<FT, FT>> starts = {}; // start values of the ends, if those of the polyline may differ
+    bool varies = false;                          // they differ
+    bool is_silent = false;                       // they differ by the length or more: paths to one end are nowhere longer
   };
 
   // Makes the segment from p, the point with the given number, to q. Returns false for a degenerate segment, which has no
@@ -141,6 +152,23 @@ private:
     s.is_short = size <= largest_short_part() * Face_frame<FT>(m_mesh, s.face).longest_edge();
     return true;
   }
+
+  // Compares the start values of the ends. number: of the segment, for messages.
+  void set_slope(Segment& s, std::size_t number) const
+  {
+    if (!s.starts || s.starts->first == s.starts->second) return;
+    if (!s.edge)
+      throw std::invalid_argument("Surface_mesh_geodesic_offset: segment " + std::to_string(number) +
+                                  " of a polyline has start values that vary, but is not along an edge; "
+                                  "split_along_polylines() makes edges of it");
+    s.varies = true;
+    const FT size = length(s.b - s.a), rest = size - CGAL::abs(FT(s.starts->second - s.starts->first));
+    s.is_silent = rest <= Number_policy<FT>::rounding(roundings_of_slope) * size;
+  }
+
+  // Units of rounding that the slope of start values is at least less than 1: rays along the segment have a rounding error of a
+  // quarter of this in their direction, by which they would not leave the edge.
+  static constexpr double roundings_of_slope = 256;
 
   // Finds a face of both ends, one where they are on the same edge if there is one, and the sides of barriers of this face.
   void find_face(const Surface_point_& p, const Surface_point_& q, Segment& s) const
@@ -227,7 +255,7 @@ private:
 
   void add_segment(Index source, const Segment& s)
   {
-    const Index primitive = m_out.add_primitive({source, s.part, true, s.is_short}, {s.first, s.second});
+    const Index primitive = m_out.add_primitive({source, s.part, true, s.is_short, s.varies}, {s.first, s.second});
     const Source_ref left(primitive, Source_side::LEFT), right(primitive, Source_side::RIGHT);
     const Face_frame<FT> frame(m_mesh, s.face);
     if (s.edge)
@@ -237,7 +265,10 @@ private:
       FT ta = position_on_edge(s.first, h), tb = position_on_edge(s.second, h);
       const bool forward = ta < tb;
       if (!forward) std::swap(ta, tb);
-      m_out.add_edge_windows(h, ta, tb, forward ? left : right, forward ? right : left);
+      if (!s.varies) m_out.add_edge_windows(h, ta, tb, forward ? left : right, forward ? right : left);
+      else
+        m_out.add_edge_windows(h, ta, tb, forward ? left : right, forward ? right : left,
+                               forward ? s.starts->first : s.starts->second, forward ? s.starts->second : s.starts->first);
       return;
     }
     const FT size = length(s.b - s.a);
@@ -295,6 +326,9 @@ private:
   // Adds the rays from the end of a segment, where another one may start. On a barrier, each side has its own.
   void add_corner(Index source, const Surface_point_& point, const Segment* in, const Segment* out, Index part)
   {
+    if (const Segment* const s = in ? in : out; s->starts) m_out.set_start_value(in ? s->starts->second : s->starts->first);
+    if (in && in->is_silent) in = nullptr;
+    if (out && out->is_silent) out = nullptr;
     for_each_side(m_mesh, point, [&](const Surface_point_& p) {
       const std::optional<Segment> arriving = on_side(in, p), leaving = on_side(out, p);
       if (arriving && leaving) add_joint(source, p, *arriving, *leaving);
@@ -326,14 +360,23 @@ private:
     {
       const Ray r = ray_of(s, at_second);
       m_out.add_seed_at_source(p.element, source_ref);
-      add_sector_between(p.element, r, r, source_ref, m_out.direction_uncertainty(s.face, length(s.b - s.a)));
+      add_sector_between(p.element, r, r, source_ref, uncertainty_at_vertex(s));
       add_other_fans(p.element, r.corner, no_index, source_ref);
       return;
     }
     const Point u = vector_of(s, at_second, p);
-    const Point from = quarter_turn(u), to = FT(-1) * from;
+    const Point back = FT(-1) * u, from = quarter_turn(u), to = FT(-1) * from;
     m_out.add_seeds_of_point(p, [source_ref](const Point&) { return source_ref; });
-    m_out.add_flat_sector(p, &from, &to, source_ref);
+    if (!s.varies) return m_out.add_flat_sector(p, &from, &to, source_ref);
+    m_out.add_flat_sector(p, &u, &back, source_ref);
+    m_out.add_flat_sector(p, &back, &u, source_ref);
+  }
+
+  // Of the direction of a segment at a vertex. Where start values vary, rays from the vertex start in all directions beside the
+  // segment: those between the segment and its own rays are nowhere shortest.
+  FT uncertainty_at_vertex(const Segment& s) const
+  {
+    return s.varies ? FT(1) : m_out.direction_uncertainty(s.face, length(s.b - s.a));
   }
 
   void add_joint(Index source, const Surface_point_& p, const Segment& in, const Segment& out)
@@ -342,8 +385,7 @@ private:
     const Source_ref left(primitive, Source_side::LEFT), right(primitive, Source_side::RIGHT);
     if (p.kind == Surface_point_::VERTEX)
     {
-      const FT uncertainty = (std::max)(m_out.direction_uncertainty(in.face, length(in.b - in.a)),
-                                        m_out.direction_uncertainty(out.face, length(out.b - out.a)));
+      const FT uncertainty = (std::max)(uncertainty_at_vertex(in), uncertainty_at_vertex(out));
       const Ray r_in = ray_of(in, true), r_out = ray_of(out, false);
       m_out.add_seed_at_source(p.element, left);
       if (same_fan(r_in.corner, r_out.corner))
@@ -368,6 +410,12 @@ private:
       const bool is_between = CGAL::is_positive(cross(first, v)) && CGAL::is_positive(cross(v, last));
       return is_between == reflex_left ? right : left;
     });
+    if (in.varies || out.varies)
+    { // in all directions, as at a vertex
+      m_out.add_flat_sector(p, &u_out, &u_in, left);
+      m_out.add_flat_sector(p, &u_in, &u_out, right);
+      return;
+    }
     // u_in points backward along the incoming segment; on a straight polyline u_in and u_out are opposite.
     const FT straight = -dot(u_in, u_out), uncertainty = (std::max)(in.uncertainty, out.uncertainty);
     const auto add_side = [&](bool is_left) {
