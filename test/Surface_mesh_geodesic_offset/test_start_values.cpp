@@ -4,6 +4,7 @@
 // Start values of sources: far apart, with tolerances, of functions that find their sources, of other number types, bad ones.
 // test_properties compares fields with start values with the fields of single sources.
 
+#include "data_meshes.h"
 #include "generated_meshes.h"
 #include "path_tools.h"
 #include "test_check.h"
@@ -288,7 +289,7 @@ bool on_border(const Point_3& p, std::size_t n)
 // that the isoline may reach.
 double length_of_isoline(const Varying_polyline& polyline, double level, double size, std::size_t cells)
 {
-  const double reach = level - *std::min_element(polyline.starts.begin(), polyline.starts.end());
+  const double reach = 1.03 * (level - *std::min_element(polyline.starts.begin(), polyline.starts.end()));
   if (!(reach > 0)) return 0;
   double low[2] = {size, size}, high[2] = {0, 0};
   for (const Point_3& p : polyline.points)
@@ -374,6 +375,68 @@ void varying_values()
   }
 }
 
+// On meshes in space: exact distances are never larger than those of points sampled on the segments, whose error falls with the square
+// of their spacing.
+void data_meshes()
+{
+  std::size_t number = 0;
+  for (const auto& file : data_files())
+  {
+    Surface_mesh mesh;
+    if (number == 10 || !read_data_mesh(file, 12000, mesh).empty() || mesh.number_of_faces() < 500) continue;
+    Report::instance().set_context("varying start values, " + file.filename().string());
+    ++number;
+    Random random(static_cast<unsigned>(number));
+    // a walk along edges
+    std::vector<Face_location> walk;
+    std::vector<double> starts;
+    Halfedge_index h = mesh.halfedge(random_face(mesh, random));
+    const double size = mean_edge_length(mesh);
+    double start = 2 * size;
+    const Mesh_locations locations(mesh);
+    std::vector<std::pair<Halfedge_index, double>> segments; // and the start values at their begin
+    for (std::size_t i = 0; i < 5; ++i)
+    {
+      segments.emplace_back(h, start);
+      if (i == 0)
+      {
+        walk.push_back(locations.at_vertex(mesh.source(h), 0));
+        starts.push_back(start);
+      }
+      start += uniform(random, -0.8, 0.8) * test::distance(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)));
+      start = (std::max)(0., start);
+      walk.push_back(locations.at_vertex(mesh.target(h), 0));
+      starts.push_back(start);
+      h = mesh.next(mesh.opposite(mesh.next(h)));
+    }
+    Geodesic geodesic(mesh);
+    geodesic.add_source_polyline(walk, CGAL::parameters::is_closed(false).start_values(starts));
+    geodesic.build();
+    double largest[2] = {0, 0};
+    for (const int k : {0, 1})
+    {
+      const std::size_t samples = k == 0 ? 50 : 100;
+      Geodesic sampled(mesh);
+      for (std::size_t i = 0; i < segments.size(); ++i)
+        for (std::size_t j = 0; j <= samples; ++j)
+        {
+          const double t = double(j) / double(samples);
+          sampled.add_source_point(locations.on_edge(segments[i].first, t),
+                                   CGAL::parameters::start_value(starts[i] + t * (starts[i + 1] - starts[i])));
+        }
+      sampled.build();
+      for (const Vertex_index v : used_vertices(mesh))
+      {
+        const double d = geodesic.distance_to_sources(v), e = sampled.distance_to_sources(v);
+        if (d == e) continue; // infinite, too
+        CHECK_DETAIL(d <= e + 1e-11 * (size + e), values(d, e));
+        largest[k] = (std::max)(largest[k], e - d);
+      }
+    }
+    CHECK_DETAIL(largest[0] <= 1e-2 * size && largest[1] <= 0.35 * largest[0] + 1e-11 * size, values(largest[0], largest[1]));
+  }
+}
+
 } // namespace test_start_values
 
 GEODESIC_OFFSET_TEST(test_start_values)
@@ -381,6 +444,7 @@ GEODESIC_OFFSET_TEST(test_start_values)
   const std::pair<const char*, void (*)()> tests[] = {
     {"far apart", test_start_values::far_apart},         {"tolerances", test_start_values::tolerances},
     {"found sources", test_start_values::found_sources}, {"other number types", test_start_values::other_number_types},
-    {"bad values", test_start_values::bad_values},       {"varying values", test_start_values::varying_values}};
+    {"bad values", test_start_values::bad_values},       {"varying values", test_start_values::varying_values},
+    {data_case, test_start_values::data_meshes}};
   return run_tests("test_start_values", tests);
 }

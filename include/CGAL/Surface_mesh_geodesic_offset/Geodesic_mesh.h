@@ -291,7 +291,7 @@ public:
   /// before it is left out. The time for a path depends on the number of faces that the path may pass, not on the size of the mesh.
   /// \tparam PointRange a model of `ConstRange` with `Point_3`, or a point of another kernel, as value type
   /// \param points the points
-  /// \param np an optional named parameter, `is_closed`
+  /// \param np optional named parameters: `is_closed`, and `start_values`, which has a start value for each point
   /// \throws std::invalid_argument if the range is empty, or if there is no path from a point to the next one; and as
   ///         `locate()` does.
   template <class PointRange, class NamedParameters = parameters::Default_named_parameters>
@@ -303,7 +303,7 @@ public:
   /// the polyline of `locate_polyline()`, and the largest distance in space of a point from its location.
   /// \tparam PointRange a model of `ConstRange` with `Point_3`, or a point of another kernel, as value type
   /// \param points the points
-  /// \param np an optional named parameter, `is_closed`
+  /// \param np optional named parameters, as for `locate_polyline()`
   /// \throws std::invalid_argument as `locate_polyline()` does.
   template <class PointRange, class NamedParameters = parameters::Default_named_parameters>
   std::pair<Polyline, FT> locate_polyline_with_distance(const PointRange& points,
@@ -333,7 +333,7 @@ public:
   /// \tparam FaceLocationRange a model of `ConstRange` with `Face_location`, or a location with the coordinates of another kernel,
   ///         as value type
   /// \param locations the points
-  /// \param np an optional named parameter, `is_closed`
+  /// \param np optional named parameters, as for `locate_polyline()`
   /// \throws std::invalid_argument as `locate_polyline()` does, and if a location is not valid.
   template <class FaceLocationRange, class NamedParameters = parameters::Default_named_parameters>
   Polyline join_polyline(const FaceLocationRange& locations, const NamedParameters& np = parameters::default_values()) const
