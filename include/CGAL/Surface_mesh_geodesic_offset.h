@@ -298,10 +298,17 @@ public:
   ///     \cgalParamType{convertible to `FT`, a finite number that is not negative}
   ///     \cgalParamDefault{0}
   ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{start_values}
+  ///     \cgalParamDescription{a start value for each location, linear between them, so that offsets have a width that varies, see
+  ///                           \ref SurfaceMeshGeodesicOffsetUseLocations. Where they vary, segments must be on edges.}
+  ///     \cgalParamType{a model of `ConstRange` of numbers, or a `std::reference_wrapper` of one}
+  ///     \cgalParamDefault{`start_value` for all}
+  ///   \cgalParamNEnd
   /// \cgalNamedParamsEnd
   ///
   /// \throws std::invalid_argument if the range is empty, if two consecutive points have no face in common, if a location is not
-  ///         valid, or if the start value is not a finite number or is negative.
+  ///         valid, or if a start value is not a finite number or is negative; if there are not as many start values as points, or if
+  ///         they vary along a segment that is not on an edge.
   template <class FaceLocationRange, class NamedParameters = parameters::Default_named_parameters>
   std::size_t add_source_polyline(const FaceLocationRange& locations, const NamedParameters& np = parameters::default_values())
   {
@@ -314,7 +321,7 @@ public:
   }
 
   /// Overload for a polyline that is open or closed itself, such as the results of `locate_polyline()`, `join_polyline()` and
-  /// `plane_section()`. The only named parameter is `start_value`.
+  /// `plane_section()`, with the start values of the polyline if it has any. The only named parameter is `start_value`.
   template <class Location, class NamedParameters = parameters::Default_named_parameters>
   std::size_t add_source_polyline(const Geodesic_polyline<Location>& polyline,
                                   const NamedParameters& np = parameters::default_values())

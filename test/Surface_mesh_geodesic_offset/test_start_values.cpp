@@ -4,6 +4,7 @@
 // Start values of sources: far apart, with tolerances, of functions that find their sources, of other number types, bad ones.
 // test_properties compares fields with start values with the fields of single sources.
 
+#include "data_meshes.h"
 #include "generated_meshes.h"
 #include "path_tools.h"
 #include "test_check.h"
@@ -13,11 +14,13 @@
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace test_start_values {
@@ -209,15 +212,239 @@ void bad_values()
   CHECK(distance[data.vertices[1].idx()] == 1.75);
 }
 
+// A polyline along edges of a plane, with a start value at each of its points, linear between them.
+struct Varying_polyline
+{
+  std::vector<Point_3> points;
+  std::vector<double> starts;
+  bool is_closed;
+
+  std::size_t number_of_segments() const { return points.size() - (is_closed ? 0 : 1); }
+
+  // The least of s(t) + |p - q(t)| on segment i, and the parameter where it is attained.
+  std::pair<double, double> distance(const Point_3& p, std::size_t i) const
+  {
+    const std::size_t j = (i + 1) % points.size();
+    const Vector_3 u = points[j] - points[i], w = p - points[i];
+    const double l = std::sqrt(u.squared_length()), m = (starts[j] - starts[i]) / l, x = (w * u) / l;
+    const double y = std::sqrt(CGAL::cross_product(u, w).squared_length()) / l;
+    double t = m >= 1 ? 0 : m <= -1 ? l : x - y * m / std::sqrt((1 - m) * (1 + m));
+    t = (std::max)(0., (std::min)(l, t));
+    return {starts[i] + m * t + std::hypot(x - t, y), t / l};
+  }
+
+  double distance(const Point_3& p) const
+  {
+    double least = infinity;
+    for (std::size_t i = 0; i < number_of_segments(); ++i) least = (std::min)(least, distance(p, i).first);
+    return least;
+  }
+
+  // The start value at a point of the polyline, and its distance from it.
+  std::pair<double, double> start_at(const Point_3& p) const
+  {
+    std::pair<double, double> result(0, infinity);
+    for (std::size_t i = 0; i < number_of_segments(); ++i)
+    {
+      const std::size_t j = (i + 1) % points.size();
+      const Vector_3 u = points[j] - points[i];
+      const double t = (std::max)(0., (std::min)(1., ((p - points[i]) * u) / u.squared_length()));
+      const double d = test::distance(p, points[i] + t * u), s = starts[i] + t * (starts[j] - starts[i]);
+      if (d < result.second - 1e-12 || (d < result.second + 1e-12 && s < result.first)) result = {s, d};
+    }
+    return result;
+  }
+};
+
+// A walk along the edges of a grid with n squares a side, that does not cross itself; slopes up to `steepest`.
+Varying_polyline random_walk(const Soup& grid, std::size_t n, double steepest, Random& random)
+{
+  Varying_polyline result{{}, {}, false};
+  std::size_t x = 1 + uniform_index(random, n - 1), y = 1 + uniform_index(random, n - 1);
+  std::vector<std::size_t> seen;
+  double s = uniform(random, 0, 2);
+  for (std::size_t steps = 2 + uniform_index(random, 7); steps > 0; --steps)
+  {
+    const std::size_t v = y * (n + 1) + x;
+    if (std::find(seen.begin(), seen.end(), v) != seen.end()) break;
+    seen.push_back(v);
+    const Point_3 p = grid.points[v];
+    if (!result.points.empty()) s += uniform(random, -steepest, steepest) * test::distance(result.points.back(), p);
+    result.points.push_back(p);
+    result.starts.push_back((std::max)(0., s));
+    s = result.starts.back();
+    if (uniform_index(random, 2) == 0) x = uniform_index(random, 2) == 0 && x > 0 ? x - 1 : (std::min)(x + 1, n);
+    else y = uniform_index(random, 2) == 0 && y > 0 ? y - 1 : (std::min)(y + 1, n);
+  }
+  return result;
+}
+
+bool on_border(const Point_3& p, std::size_t n)
+{
+  const auto is_end = [n](double x) { return x <= 1e-9 || x >= double(n) - 1e-9; };
+  return is_end(p.x()) || is_end(p.y());
+}
+
+// Length of the isoline of the distance in a square of side `size`, interpolated linearly in small triangles: `cells` a side of the part
+// that the isoline may reach.
+double length_of_isoline(const Varying_polyline& polyline, double level, double size, std::size_t cells)
+{
+  const double reach = 1.03 * (level - *std::min_element(polyline.starts.begin(), polyline.starts.end()));
+  if (!(reach > 0)) return 0;
+  double low[2] = {size, size}, high[2] = {0, 0};
+  for (const Point_3& p : polyline.points)
+    for (int k = 0; k < 2; ++k)
+    {
+      low[k] = (std::max)(0., (std::min)(low[k], p[k] - reach));
+      high[k] = (std::min)(size, (std::max)(high[k], p[k] + reach));
+    }
+  const double hx = (high[0] - low[0]) / double(cells), hy = (high[1] - low[1]) / double(cells);
+  const auto at = [&](std::size_t v) {
+    return Point_3(low[0] + double(v % (cells + 1)) * hx, low[1] + double(v / (cells + 1)) * hy, 0);
+  };
+  std::vector<double> d;
+  for (std::size_t v = 0; v < (cells + 1) * (cells + 1); ++v) d.push_back(polyline.distance(at(v)) - level);
+  double length = 0;
+  for (std::size_t j = 0; j < cells; ++j)
+    for (std::size_t i = 0; i < cells; ++i)
+      for (const bool upper : {false, true})
+      {
+        const std::size_t a = j * (cells + 1) + i, c = a + cells + 2;
+        const std::array<std::size_t, 3> corner = {a, upper ? c : a + 1, upper ? a + cells + 1 : c};
+        std::vector<Point_3> ends;
+        for (std::size_t k = 0; k < 3; ++k)
+        {
+          const std::size_t p = corner[k], q = corner[(k + 1) % 3];
+          if ((d[p] < 0) != (d[q] < 0)) ends.push_back(at(p) + d[p] / (d[p] - d[q]) * (at(q) - at(p)));
+        }
+        if (ends.size() == 2) length += test::distance(ends[0], ends[1]);
+      }
+  return length;
+}
+
+void varying_values()
+{
+  const std::size_t n = 6;
+  for (unsigned seed = 1; seed <= number_of_cases(150u, 1000u); ++seed)
+  {
+    Random random(seed);
+    Report::instance().set_context("varying start values, seed " + std::to_string(seed));
+    const Soup grid = planar_grid(n, n, Diagonals::random, 1, seed % 2 ? 0 : 0.2, seed);
+    const Generated_mesh<Surface_mesh> data(grid);
+    const Mesh_locations locations(data.mesh);
+    const Varying_polyline polyline = random_walk(grid, n, seed % 5 == 0 ? 1.5 : seed % 5 == 1 ? 0.1 : 0.9, random);
+    if (polyline.points.size() < 2) continue;
+    Geodesic geodesic(data.mesh);
+    const auto np = CGAL::parameters::is_closed(false).start_values(std::cref(polyline.starts));
+    geodesic.add_source_polyline(geodesic.locate_polyline(polyline.points, np));
+    geodesic.build(CGAL::parameters::keep_windows(true));
+    const auto check = [&](const Point_3& p, double d) {
+      const double e = polyline.distance(p);
+      CHECK_DETAIL(std::abs(d - e) <= 1e-12 * (1 + e), values(d, e));
+    };
+    for (const auto v : data.vertices) check(data.mesh.point(v), geodesic.distance_to_sources(v));
+    for (std::size_t i = 0; i < 60; ++i)
+    {
+      const auto l = random_location(locations, data.mesh, random, i % 3);
+      const double d = geodesic.distance_to_sources(l);
+      check(locations.point(l), d);
+      Path_locations path;
+      geodesic.shortest_path_to_sources(l, std::back_inserter(path));
+      if (!CHECK(!path.empty())) continue;
+      const auto start = polyline.start_at(locations.point(path.back()));
+      const double sum = start.first + length_of(locations, path);
+      CHECK_DETAIL(start.second <= 1e-9 && std::abs(sum - d) <= 1e-9 * (1 + d), values(sum, d));
+    }
+    for (const double level : {0.7, 1.9, 3.1})
+    {
+      const Offset_curves curves = offsets(geodesic, level);
+      for (const Offset_curve& c : curves)
+      {
+        std::vector<Point_3> points;
+        c.points(1e-4, std::back_inserter(points));
+        for (const Point_3& p : points)
+          CHECK_DETAIL(std::abs(polyline.distance(p) - level) <= 1e-9, values(polyline.distance(p), level));
+        CHECK(c.is_closed() || on_border(points.front(), n));
+      }
+      const double length = total_length(curves);
+      double of_samples = length_of_isoline(polyline, level, double(n), 200);
+      if (std::abs(length - of_samples) > 0.01 * (1 + length))
+        of_samples = length_of_isoline(polyline, level, double(n), 3000); // thin
+      CHECK_DETAIL(std::abs(length - of_samples) <= 0.01 * (1 + length), values(length, of_samples));
+    }
+  }
+}
+
+// On meshes in space: exact distances are never larger than those of points sampled on the segments, whose error falls with the square
+// of their spacing.
+void data_meshes()
+{
+  std::size_t number = 0;
+  for (const auto& file : data_files())
+  {
+    Surface_mesh mesh;
+    if (number == 10 || !read_data_mesh(file, 12000, mesh).empty() || mesh.number_of_faces() < 500) continue;
+    Report::instance().set_context("varying start values, " + file.filename().string());
+    ++number;
+    Random random(static_cast<unsigned>(number));
+    // a walk along edges
+    std::vector<Face_location> walk;
+    std::vector<double> starts;
+    Halfedge_index h = mesh.halfedge(random_face(mesh, random));
+    const double size = mean_edge_length(mesh);
+    double start = 2 * size;
+    const Mesh_locations locations(mesh);
+    std::vector<std::pair<Halfedge_index, double>> segments; // and the start values at their begin
+    for (std::size_t i = 0; i < 5; ++i)
+    {
+      segments.emplace_back(h, start);
+      if (i == 0)
+      {
+        walk.push_back(locations.at_vertex(mesh.source(h), 0));
+        starts.push_back(start);
+      }
+      start += uniform(random, -0.8, 0.8) * test::distance(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)));
+      start = (std::max)(0., start);
+      walk.push_back(locations.at_vertex(mesh.target(h), 0));
+      starts.push_back(start);
+      h = mesh.next(mesh.opposite(mesh.next(h)));
+    }
+    Geodesic geodesic(mesh);
+    geodesic.add_source_polyline(walk, CGAL::parameters::is_closed(false).start_values(starts));
+    geodesic.build();
+    double largest[2] = {0, 0};
+    for (const int k : {0, 1})
+    {
+      const std::size_t samples = k == 0 ? 50 : 100;
+      Geodesic sampled(mesh);
+      for (std::size_t i = 0; i < segments.size(); ++i)
+        for (std::size_t j = 0; j <= samples; ++j)
+        {
+          const double t = double(j) / double(samples);
+          sampled.add_source_point(locations.on_edge(segments[i].first, t),
+                                   CGAL::parameters::start_value(starts[i] + t * (starts[i + 1] - starts[i])));
+        }
+      sampled.build();
+      for (const Vertex_index v : used_vertices(mesh))
+      {
+        const double d = geodesic.distance_to_sources(v), e = sampled.distance_to_sources(v);
+        if (d == e) continue; // infinite, too
+        CHECK_DETAIL(d <= e + 1e-11 * (size + e), values(d, e));
+        largest[k] = (std::max)(largest[k], e - d);
+      }
+    }
+    CHECK_DETAIL(largest[0] <= 1e-2 * size && largest[1] <= 0.35 * largest[0] + 1e-11 * size, values(largest[0], largest[1]));
+  }
+}
+
 } // namespace test_start_values
 
 GEODESIC_OFFSET_TEST(test_start_values)
 {
   const std::pair<const char*, void (*)()> tests[] = {
-    {"far apart", test_start_values::far_apart},
-    {"tolerances", test_start_values::tolerances},
-    {"found sources", test_start_values::found_sources},
-    {"other number types", test_start_values::other_number_types},
-    {"bad values", test_start_values::bad_values}};
+    {"far apart", test_start_values::far_apart},         {"tolerances", test_start_values::tolerances},
+    {"found sources", test_start_values::found_sources}, {"other number types", test_start_values::other_number_types},
+    {"bad values", test_start_values::bad_values},       {"varying values", test_start_values::varying_values},
+    {data_case, test_start_values::data_meshes}};
   return run_tests("test_start_values", tests);
 }

@@ -492,7 +492,10 @@ private:
   template <class Location>
   Located_point classified(const Location& location) const
   {
-    return data().classified(location);
+    Located_point p = data().classified(location);
+    if constexpr (std::is_convertible<const Location&, vertex_descriptor>::value)
+      p.element = Geodesic_offset::internal::nearest_copy(unfolded(), built().field, p.element);
+    return p;
   }
 
   std::optional<Mesh> m_mesh;

@@ -291,7 +291,7 @@ public:
   /// before it is left out. The time for a path depends on the number of faces that the path may pass, not on the size of the mesh.
   /// \tparam PointRange a model of `ConstRange` with `Point_3`, or a point of another kernel, as value type
   /// \param points the points
-  /// \param np an optional named parameter, `is_closed`
+  /// \param np optional named parameters: `is_closed`, and `start_values`, which has a start value for each point
   /// \throws std::invalid_argument if the range is empty, or if there is no path from a point to the next one; and as
   ///         `locate()` does.
   template <class PointRange, class NamedParameters = parameters::Default_named_parameters>
@@ -303,7 +303,7 @@ public:
   /// the polyline of `locate_polyline()`, and the largest distance in space of a point from its location.
   /// \tparam PointRange a model of `ConstRange` with `Point_3`, or a point of another kernel, as value type
   /// \param points the points
-  /// \param np an optional named parameter, `is_closed`
+  /// \param np optional named parameters, as for `locate_polyline()`
   /// \throws std::invalid_argument as `locate_polyline()` does.
   template <class PointRange, class NamedParameters = parameters::Default_named_parameters>
   std::pair<Polyline, FT> locate_polyline_with_distance(const PointRange& points,
@@ -322,14 +322,18 @@ public:
     }
     if (is_closed && repeats_first) locations.pop_back();
     Geodesic_offset::internal::check_named_parameters<Geodesic_offset::internal::Joining_parameters, NamedParameters>();
-    return {join_polyline(locations, parameters::is_closed(is_closed)), largest};
+    const std::size_t n = locations.size() + (is_closed && repeats_first ? 1 : 0);
+    std::vector<FT> starts = Geodesic_offset::internal::start_values_of<FT>(np, n);
+    if (starts.empty()) return {join_polyline(locations, parameters::is_closed(is_closed)), largest};
+    starts.resize(locations.size());
+    return {join_polyline(locations, parameters::is_closed(is_closed).start_values(std::cref(starts))), largest};
   }
 
   /// the polyline on the surface through locations. Overload of `locate_polyline()` for points that are on the surface.
   /// \tparam FaceLocationRange a model of `ConstRange` with `Face_location`, or a location with the coordinates of another kernel,
   ///         as value type
   /// \param locations the points
-  /// \param np an optional named parameter, `is_closed`
+  /// \param np optional named parameters, as for `locate_polyline()`
   /// \throws std::invalid_argument as `locate_polyline()` does, and if a location is not valid.
   template <class FaceLocationRange, class NamedParameters = parameters::Default_named_parameters>
   Polyline join_polyline(const FaceLocationRange& locations, const NamedParameters& np = parameters::default_values()) const
@@ -350,11 +354,25 @@ public:
       data().classified(given_locations.back()); // throws if it is not valid
       points.push_back(surface.point(given_locations.back()));
     }
+    const std::vector<FT> given_starts = Geodesic_offset::internal::start_values_of<FT>(np, given_locations.size());
     const bool repeats_first = polyline_closing(points) == Polyline_closing::CLOSED;
     const bool is_closed = Geodesic_offset::internal::is_closed_of(np, repeats_first);
     if (is_closed && repeats_first) given_locations.pop_back();
     std::optional<Located_point> last;
     std::size_t i = 0;
+    // Start values of the points that have been added behind the last given one, by the length of the path.
+    const auto add_starts = [&](const FT& start) {
+      const auto& path = polyline.locations;
+      std::vector<FT>& starts = polyline.start_values;
+      const std::size_t first = starts.size();
+      std::vector<FT> ways(1, FT(0)); // from the point before
+      for (std::size_t k = (std::max)(first, std::size_t(1)); k < path.size(); ++k)
+        ways.push_back(ways.back() + Geodesic_offset::internal::square_root<FT>(
+                                       CGAL::squared_distance(surface.point(path[k - 1]), surface.point(path[k]))));
+      const FT before = first == 0 ? start : starts.back();
+      for (std::size_t k = 1; k + 1 < ways.size(); ++k) starts.push_back(before + (ways[k] / ways.back()) * (start - before));
+      starts.push_back(start);
+    };
     const auto add = [&](const Face_location& given) {
       auto& path = polyline.locations;
       const Located_point p = data().classified(given);
@@ -366,6 +384,7 @@ public:
                                     std::to_string(i) + " of a polyline from the one before");
       for (const auto& c : passed) path.push_back(surface.location_of_element(c));
       path.push_back(l);
+      if (!given_starts.empty()) add_starts(given_starts[i]);
       last = p;
     };
     for (const Face_location& l : given_locations)
@@ -384,6 +403,7 @@ public:
         const Located_point p = data().classified(polyline.locations.front()), q = data().classified(polyline.locations.back());
         if (p.kind == Located_point::VERTEX && q.kind == p.kind && q.element == p.element) polyline.locations.pop_back();
       }
+      polyline.start_values.resize(given_starts.empty() ? 0 : polyline.locations.size());
       polyline.is_closed = polyline.locations.size() > 2;
     }
     return polyline;

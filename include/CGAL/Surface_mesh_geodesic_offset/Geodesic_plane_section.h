@@ -23,6 +23,8 @@ struct Geodesic_polyline
 {
   std::vector<FaceLocation> locations; ///< the points; consecutive points have a face in common
   bool is_closed = false;              ///< whether the last point is joined to the first one, which is not repeated
+  /// the start values of the points, linear between them; empty if they are all the same
+  std::vector<typename FaceLocation::second_type::value_type> start_values = {};
 };
 
 /*!

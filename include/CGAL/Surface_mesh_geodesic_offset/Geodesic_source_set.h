@@ -70,6 +70,8 @@ public:
     std::vector<Face_location> locations; ///< the point of `LOCATION`, and the points of a polyline
     std::vector<edge_descriptor> edges;   ///< the edges of `EDGES`
     FT start_value = FT(0);               ///< the distance of the points of the source; finite and not negative
+    std::vector<FT> start_values = {};    ///< of polylines: the distances of its points, linear between them, in place of
+                                          ///< `start_value`; empty if they are all the same
   };
   /// @}
 
@@ -85,7 +87,12 @@ public:
   {
     const CGAL::NT_converter<Number, FT> convert{};
     for (const auto& [id, s] : set.m_sources)
-      m_sources.emplace(id, Source{Kind(s.kind), s.vertex, converted(s.locations), s.edges, convert(s.start_value)});
+    {
+      Source& source =
+        m_sources.emplace(id, Source{Kind(s.kind), s.vertex, converted(s.locations), s.edges, convert(s.start_value)})
+          .first->second;
+      for (const Number& value : s.start_values) source.start_values.push_back(convert(value));
+    }
   }
   /// @}
 
@@ -130,9 +137,10 @@ public:
     return add_location(Geodesic_offset::internal::converted_location<FT>(location), np);
   }
 
-  /// adds a polyline. Reads another named parameter, `is_closed(b)`: whether the last point is joined to the first one (default:
-  /// whether there are more than three locations, and the last one is equal to the first one). Each of its segments is straight
-  /// within one closed face.
+  /// adds a polyline. Reads two more named parameters: `is_closed(b)`, whether the last point is joined to the first one (default:
+  /// whether there are more than three locations, and the last one is equal to the first one); and `start_values(range)`, a start value
+  /// for each location, linear between them, in place of `start_value`. Each of its segments is straight within one closed face, and
+  /// along an edge where start values vary.
   /// \tparam FaceLocationRange a model of `ConstRange` with `Face_location`, or a location with the coordinates of another kernel,
   ///         as value type
   /// \param locations the vertices of the polyline, at least one
@@ -142,14 +150,17 @@ public:
     namespace internal = Geodesic_offset::internal;
     const FT start_value = internal::start_value_of<FT, internal::Polyline_source_parameters>(np);
     std::vector<Face_location> points = converted(locations);
+    std::vector<FT> start_values = internal::start_values_of<FT>(np, points.size());
     const bool repeats_first = points.size() > 3 && points.front() == points.back();
     const bool is_closed = internal::is_closed_of(np, repeats_first);
     if (is_closed && repeats_first) points.pop_back();
+    if (!start_values.empty()) start_values.resize(points.size());
     return add({is_closed ? Kind::CLOSED_POLYLINE : Kind::OPEN_POLYLINE,
                 boost::graph_traits<TriangleMesh>::null_vertex(),
                 std::move(points),
                 {},
-                start_value});
+                start_value,
+                std::move(start_values)});
   }
 
   /// Overload for a polyline that is open or closed itself; its locations may have the coordinates of another kernel.
@@ -158,7 +169,8 @@ public:
                            const NamedParameters& np = parameters::default_values())
   {
     Geodesic_offset::internal::check_named_parameters<Geodesic_offset::internal::Source_parameters, NamedParameters>();
-    return add_polyline(polyline.locations, np.is_closed(polyline.is_closed));
+    if (polyline.start_values.empty()) return add_polyline(polyline.locations, np.is_closed(polyline.is_closed));
+    return add_polyline(polyline.locations, np.is_closed(polyline.is_closed).start_values(std::cref(polyline.start_values)));
   }
 
   /// adds a set of edges.

@@ -225,6 +225,8 @@ class Geodesic_voronoi_diagram
   typedef Geodesic_offset::internal::Bisector_diagram<double> Diagram;
   typedef Geodesic_offset::internal::Curve_context<Surface_> Context;
 
+  friend Context; // knows the surface
+
 public:
   /// \name Types
   /// @{

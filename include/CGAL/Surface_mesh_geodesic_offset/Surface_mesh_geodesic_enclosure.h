@@ -278,7 +278,13 @@ public:
     const Build& b = *built();
     if (p.kind != Surface_point::VERTEX && !b.has_windows())
       throw std::logic_error("Surface_mesh_geodesic_enclosure: this query needs build(parameters::keep_windows(true))");
-    return b.distance_bounds(p);
+    std::pair<double, double> bounds = b.distance_bounds(p);
+    if constexpr (std::is_convertible<const Location&, vertex_descriptor>::value) // the nearest copy on a barrier
+      data().unfolded().for_each_copy(p.element, [&](auto v) {
+        const std::pair<double, double> c = b.distance_bounds(Surface_point::at_vertex(v));
+        bounds = {(std::min)(bounds.first, c.first), (std::min)(bounds.second, c.second)};
+      });
+    return bounds;
   }
   /// @}
 

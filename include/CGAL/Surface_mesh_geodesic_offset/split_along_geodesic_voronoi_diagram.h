@@ -97,6 +97,7 @@ void split_along_geodesic_voronoi_diagram(TriangleMesh& tm, const VoronoiDiagram
 
   const auto lengths = internal::Split_lengths::of<typename Curve::FT>(tm, vpm, diagram.curves(), np);
   internal::Mesh_splitting<TriangleMesh, Vertex_point_map, Curve> splitting(tm, vpm, lengths.diagonal, lengths.chord_tolerance);
+  splitting.set_barriers(internal::surface_of(diagram));
   for (std::size_t i = 0; i < diagram.number_of_curves(); ++i) splitting.add(diagram.curve(i), i);
   splitting.triangulate();
   constexpr bool has_sources = internal::has_parameter<internal_np::geodesic_face_source_t, NamedParameters>;

@@ -128,6 +128,7 @@ void split_along_offset_curves(TriangleMesh& tm, const OffsetCurves& curves,
 
   const auto lengths = internal::Split_lengths::of<typename Curve::FT>(tm, vpm, curves, np);
   internal::Mesh_splitting<TriangleMesh, Vertex_point_map, Curve> splitting(tm, vpm, lengths.diagonal, lengths.chord_tolerance);
+  if (!std::empty(curves)) splitting.set_barriers(internal::surface_of(*std::begin(curves)));
   std::vector<typename Curve::FT> distances;
   for (const Curve& c : curves)
   {

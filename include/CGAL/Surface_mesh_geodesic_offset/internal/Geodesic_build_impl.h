@@ -256,7 +256,12 @@ template <class Traits>
 template <class Front>
 bool Geodesic_build<Traits>::is_final(const Front& front, const Surface_point<FT>& p, const FT& distance) const
 {
-  if (p.kind == Surface_point<FT>::VERTEX) return field.distance[p.element] <= distance;
+  if (p.kind == Surface_point<FT>::VERTEX)
+  {
+    bool result = false;
+    m_mesh.for_each_copy(p.element, [&](Index v) { result |= field.distance[v] <= distance; });
+    return result;
+  }
   return front.largest_distance(p.kind == Surface_point<FT>::EDGE ? m_mesh.face(p.element) : p.element) <= distance;
 }
 

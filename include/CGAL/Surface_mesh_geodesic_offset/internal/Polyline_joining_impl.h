@@ -69,7 +69,7 @@ public:
   void trace(const Located_point& from, const Located_point& to, std::vector<Path_crossing<Number>>& path) const
   {
     Source_set<Number> sources;
-    sources.insert(0, {Source_set<Number>::POINT, {here(to)}, {}});
+    sources.insert(0, {Source_set<Number>::POINT, {here(to)}, {}, Number(0), {}});
     Build_request<Number> request;
     request.keeps_windows = true;
     const Located_point start = here(from);

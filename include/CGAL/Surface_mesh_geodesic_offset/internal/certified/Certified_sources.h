@@ -69,6 +69,9 @@ public:
     for (std::size_t i = 0; i < initial.primitives.size(); ++i)
     {
       const auto& place = initial.places[i];
+      if (initial.primitives[i].varies)
+        throw std::invalid_argument(
+          "Surface_mesh_geodesic_enclosure: there are no bounds for start values that vary along a segment");
       const double s = m_mesh.to_unit(initial.start_values.of(Source_ref(Index(i), Source_side::NONE)));
       if (!Number_policy<double>::is_finite(s))
         throw std::runtime_error("Surface_mesh_geodesic_enclosure: a start value divided by the longest edge is not finite");

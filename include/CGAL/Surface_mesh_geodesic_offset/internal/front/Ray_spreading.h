@@ -52,9 +52,11 @@ public:
     for (const auto& e : m_initial.edges)
     {
       if (!starts(e)) continue;
-      const FT& s = m_initial.start_values.of(e.source_ref);
-      // parallel rays at a right angle to the edge
-      Window w({FT(0), FT(-1), s, FT(0), FT(0), e.source_ref, Window::make_bits(true, no_index)}, e.b0, e.b1);
+      // parallel rays at a right angle to the edge, unless the start value varies
+      const FT height = CGAL::is_zero(e.slope) ? FT(1) : square_root<FT>(FT((FT(1) - e.slope) * (FT(1) + e.slope)));
+      Window w({FT(-e.slope), FT(-height), e.start - e.slope * e.b0, FT(0), FT(0), e.source_ref,
+                Window::make_bits(true, no_index)},
+               e.b0, e.b1);
       m_state.append(e.halfedge, w);
     }
     for (const auto& l : m_initial.local)

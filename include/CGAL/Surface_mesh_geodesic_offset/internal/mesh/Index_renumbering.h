@@ -32,6 +32,9 @@ public:
   void renumber_if_scattered(const All_face_links& links, const std::vector<Index>& vertices, const Coordinates& coordinates,
                              Team& team);
 
+  // Adds vertices behind all others. To be called before renumber_if_scattered().
+  void add_vertices(std::size_t n) { m_vertices_end += n; }
+
   // Upper bounds of the new indices; indices below may be unused.
   std::size_t vertices_end() const { return m_vertices_end; }
   std::size_t faces_end() const { return m_faces_end; }

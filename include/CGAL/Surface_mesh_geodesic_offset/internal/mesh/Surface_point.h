@@ -139,6 +139,16 @@ BOOST_FORCEINLINE Located_point<FT> classify(const Unfolded_mesh<FT>& mesh, Inde
   return {Surface_point<FT>::in_face(face, position_in_frame(mesh, 3 * face, w[1], w[2])), w};
 }
 
+// Calls f with the point on each side of a barrier: on both sides of an edge, in each sector at a vertex; once for other points.
+template <class FT, class Function>
+void for_each_side(const Unfolded_mesh<FT>& mesh, const Surface_point<FT>& p, const Function& f)
+{
+  if (p.kind == Surface_point<FT>::VERTEX) return mesh.for_each_copy(p.element, [&](Index v) { f(p.at_vertex(v)); });
+  f(p);
+  const Index h = p.kind == Surface_point<FT>::EDGE ? mesh.across_barrier(p.element) : no_index;
+  if (h != no_index) f(p.on_edge(h, mesh[h].length - p.x));
+}
+
 // Faces incident to a surface point.
 template <class FT>
 std::vector<Index> faces_of(const Unfolded_mesh<FT>& mesh, const Surface_point<FT>& p)

@@ -12,6 +12,7 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/memory/prefetch.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Barriers.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Face_links.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Index_renumbering.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Number_policy.h>
@@ -22,6 +23,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <memory>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -160,6 +162,35 @@ public:
     return it != m_more_fans.end() && it->first == v;
   }
 
+  // The mesh is that of `whole` after a cut along barriers. Vertices and faces have the same numbers in both, but for copies.
+  void set_barriers(Barriers barriers, Unfolded_mesh whole)
+  {
+    m_cut = std::make_shared<const Cut>(Cut{std::move(barriers), std::move(whole)});
+  }
+
+  const Unfolded_mesh& without_barriers() const { return m_cut ? m_cut->whole : *this; }
+
+  // The halfedge on the other side of a barrier; no_index for a halfedge that is on none.
+  Index across_barrier(Index h) const { return m_cut ? m_cut->barriers.across(h) : no_index; }
+
+  // Calls f with one halfedge of each barrier.
+  template <class Function>
+  void for_each_barrier(const Function& f) const
+  {
+    if (m_cut) m_cut->barriers.for_each_edge(f);
+  }
+
+  // The vertex of which v is a copy, or v itself.
+  Index first_copy(Index v) const { return m_cut ? m_cut->barriers.first_copy(v) : v; }
+
+  // Calls f for all copies of a vertex, which is the only one unless it is on a barrier.
+  template <class Function>
+  void for_each_copy(Index v, const Function& f) const
+  {
+    if (m_cut) m_cut->barriers.for_each_copy(v, f);
+    else f(v);
+  }
+
   const FT& longest_edge() const { return m_longest_edge; }
 
   double mean_edge_length() const { return m_mean_edge_length; }
@@ -173,6 +204,8 @@ public:
   }
 
 private:
+  struct Cut; // see set_barriers()
+
   // Summary of a block of faces.
   struct Laid_out_faces
   {
@@ -228,6 +261,14 @@ private:
   std::vector<Index> m_corner;
   std::vector<char> m_can_bend;
   std::vector<std::pair<Index, Index>> m_more_fans; // (vertex, first corner), sorted
+  std::shared_ptr<const Cut> m_cut;                 // null without barriers
+};
+
+template <class FT>
+struct Unfolded_mesh<FT>::Cut
+{
+  Barriers barriers;
+  Unfolded_mesh whole;
 };
 
 } // namespace CGAL::Geodesic_offset::internal

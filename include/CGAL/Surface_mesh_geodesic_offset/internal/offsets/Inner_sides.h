@@ -31,7 +31,7 @@ template <class FT>
 class Inner_sides
 {
 public:
-  // Adds all closed polylines of the set. The mesh must outlive this object.
+  // Adds all closed polylines of the set. The mesh must outlive this object. Barriers do not count.
   Inner_sides(const Unfolded_mesh<FT>& mesh, const Source_set<FT>& sources);
 
   // By source id, for all closed polylines that are longer than a point. Time: that of one pass over the mesh, and per polyline

@@ -21,10 +21,14 @@
 namespace CGAL::Geodesic_offset::internal {
 
 template <class FT>
-Inner_sides<FT>::Inner_sides(const Unfolded_mesh<FT>& mesh, const Source_set<FT>& sources) : m_mesh(mesh)
+Inner_sides<FT>::Inner_sides(const Unfolded_mesh<FT>& mesh, const Source_set<FT>& sources) : m_mesh(mesh.without_barriers())
 {
   sources.for_each([&](std::size_t id, const auto& source) {
-    if (source.kind == Source_set<FT>::CLOSED_POLYLINE) add(id, source.points);
+    if (source.kind != Source_set<FT>::CLOSED_POLYLINE) return;
+    std::vector<Place> points = source.points;
+    for (Place& p : points)
+      if (p.kind == Place::VERTEX) p.element = mesh.first_copy(p.element);
+    add(id, points);
   });
 }
 

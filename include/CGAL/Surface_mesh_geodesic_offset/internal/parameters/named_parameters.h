@@ -36,10 +36,12 @@ using Joined_tags = decltype(First::joined_with(Second()));
 typedef Parameter_tags<internal_np::vertex_point_t, internal_np::geom_traits_t, internal_np::vertex_index_t,
                        internal_np::face_index_t, internal_np::concurrency_tag_t>
   Mesh_with_points_parameters;
-typedef Joined_tags<Mesh_with_points_parameters, Parameter_tags<internal_np::geodesic_edge_length_map_t>> Mesh_parameters;
+typedef Joined_tags<Mesh_with_points_parameters,
+                    Parameter_tags<internal_np::geodesic_edge_length_map_t, internal_np::edge_is_constrained_t>>
+  Mesh_parameters;
 typedef Parameter_tags<internal_np::point_t, internal_np::geom_traits_t> Polygon_soup_parameters;
 typedef Parameter_tags<internal_np::snapping_tolerance_t> Location_parameters;
-typedef Parameter_tags<internal_np::geodesic_is_closed_t> Joining_parameters;
+typedef Parameter_tags<internal_np::geodesic_is_closed_t, internal_np::geodesic_start_values_t> Joining_parameters;
 typedef Parameter_tags<internal_np::geodesic_start_value_t> Source_parameters;
 typedef Joined_tags<Source_parameters, Joining_parameters> Polyline_source_parameters;
 typedef Parameter_tags<internal_np::visitor_t, internal_np::verbose_t, internal_np::concurrency_tag_t> Update_parameters;
@@ -86,6 +88,9 @@ typedef Parameter_tags<internal_np::geodesic_chord_tolerance_t, internal_np::edg
                        internal_np::visitor_t, internal_np::geodesic_face_source_t>
   Voronoi_splitting_parameters;
 
+typedef Parameter_tags<internal_np::edge_is_constrained_t, internal_np::vertex_point_t, internal_np::visitor_t>
+  Polyline_splitting_parameters;
+
 // True if all parameters of a sequence are in a list of tags; false for a type that is no sequence of parameters.
 template <class>
 constexpr bool are_read(const void*)
@@ -126,6 +131,22 @@ FT start_value_of(const NamedParameters& np)
   check_named_parameters<Tags, NamedParameters>();
   const auto value = parameters::choose_parameter(parameters::get_parameter(np, internal_np::geodesic_start_value), FT(0));
   return NT_converter<std::decay_t<decltype(value)>, FT>()(value);
+}
+
+// The start values of the points of a polyline; empty without the parameter.
+// \throws std::invalid_argument if there are not as many as points
+template <class FT, class NamedParameters>
+std::vector<FT> start_values_of([[maybe_unused]] const NamedParameters& np, [[maybe_unused]] std::size_t number_of_points)
+{
+  std::vector<FT> values;
+  if constexpr (has_parameter<internal_np::geodesic_start_values_t, NamedParameters>)
+  {
+    const auto& given = parameters::get_parameter(np, internal_np::geodesic_start_values);
+    for (const auto& s : internal_np::get_reference(given)) values.push_back(NT_converter<std::decay_t<decltype(s)>, FT>()(s));
+    if (values.size() != number_of_points)
+      throw std::invalid_argument("Surface_mesh_geodesic_offset: a polyline has not as many start values as points");
+  }
+  return values;
 }
 
 // True if the last point of a polyline is joined to the first one. `otherwise`: without the parameter.

@@ -15,6 +15,7 @@
 CGAL_add_named_parameter(geodesic_edge_length_map_t, geodesic_edge_length_map, edge_length_map)
 
 CGAL_add_named_parameter(geodesic_start_value_t, geodesic_start_value, start_value)
+CGAL_add_named_parameter(geodesic_start_values_t, geodesic_start_values, start_values)
 CGAL_add_named_parameter(geodesic_is_closed_t, geodesic_is_closed, is_closed)
 
 CGAL_add_named_parameter(geodesic_distance_limit_t, geodesic_distance_limit, distance_limit)

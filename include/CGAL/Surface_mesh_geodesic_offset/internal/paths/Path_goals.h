@@ -132,6 +132,31 @@ public:
     return true;
   }
 
+  // True for a window of a segment along which the start value varies. Its rays have one virtual start, beyond the segment: a line at
+  // a right angle to them through the end with the smaller value. Paths by it end where they cross the segment.
+  bool has_virtual_start(const Path_start<FT>& start) const
+  {
+    return start.pseudo_source == no_index && m_initial.primitives[start.source_ref.primitive()].varies;
+  }
+
+  // True if position t of halfedge h is on a segment of the same source, where the path has `left` before it to its virtual start;
+  // `end` receives the end of the path. Segments that are reached earlier than their start value are crossed.
+  bool ends_on_varying_segment(Index h, const FT& t, const FT& left, const Path_start<FT>& start, const FT& extent,
+                               End& end) const
+  {
+    const FT allowance = miss(left, start, extent);
+    bool result = false;
+    m_initial.for_each_edge_window(h, [&](const auto& w) {
+      if (result || source_of(w.source_ref) != source_of(start.source_ref) || t < w.b0 - allowance || t > w.b1 + allowance)
+        return;
+      const FT value = w.start + w.slope * (t - w.b0);
+      if (CGAL::abs(FT(value - (start.start_value + left))) > allowance) return;
+      result = true;
+      end = {Surface_point_::on_edge(h, (std::max)(w.b0, (std::min)(t, w.b1))), w.source_ref};
+    });
+    return result;
+  }
+
   FT distance_of(const Goal& goal) const
   {
     return goal.end.is_at_source() ? m_field.start_values.of(goal.end.source_ref) : m_field.distance[goal.vertex];

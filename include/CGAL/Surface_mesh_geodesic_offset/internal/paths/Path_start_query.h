@@ -233,6 +233,7 @@ private:
         field.set_face(f);
         choose(field, q, edge, start, choice);
       });
+    if (p.kind == Surface_point<FT>::EDGE && is_on_varying_segment(p, start)) start.start_value = start.distance;
     // In a face with the pseudo-source as a corner, the path leads straight to the corner; in needles, images are less precise.
     if (start.pseudo_source != no_index)
       for (int k = 0; k < 3; ++k)
@@ -259,6 +260,17 @@ private:
       }
     }
     return start;
+  }
+
+  // True for a point on the segment of its window, if the start value varies along it.
+  bool is_on_varying_segment(const Surface_point<FT>& p, const Path_start<FT>& start) const
+  {
+    if (start.pseudo_source != no_index || !m_initial.primitives[start.source_ref.primitive()].varies) return false;
+    bool result = false;
+    m_initial.for_each_edge_window(p.element, [&](const auto& w) {
+      result |= w.source_ref.primitive() == start.source_ref.primitive() && p.x >= w.b0 && p.x <= w.b1;
+    });
+    return result;
   }
 
   struct Choice

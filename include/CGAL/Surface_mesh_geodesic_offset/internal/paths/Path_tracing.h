@@ -146,8 +146,9 @@ private:
     bool is_under_way = false;
     passed.set_apart(0);
     // Not for exact numbers, for which strips build long expressions.
-    if (Number_policy<FT>::is_inexact && !has_missed && start.exit != -1 && !is_one_edge(exit_of(start), start.edge) &&
-        !m_goals.is_in_face(goal, m_mesh.face(h)))
+    const bool has_virtual_start = m_goals.has_virtual_start(start);
+    if (Number_policy<FT>::is_inexact && !has_virtual_start && !has_missed && start.exit != -1 &&
+        !is_one_edge(exit_of(start), start.edge) && !m_goals.is_in_face(goal, m_mesh.face(h)))
     {
       Strip_walk<FT> strip(m_mesh, h, from, to, reach, start.exit);
       const FT extent = m_mesh.longest_edge() + FT(1. / (1 << 15)) * start.length();
@@ -197,6 +198,12 @@ private:
       }
       if (!is_first) exit = walk.exit(); // not earlier: a goal in sight may lie exactly on the path
       auto crossing = walk.crossing(exit);
+      if (has_virtual_start)
+      {
+        End end;
+        const FT left = length(crossing.goal - Point{crossing.t, FT(0)}), t = crossing.length - crossing.t;
+        if (m_goals.ends_on_varying_segment(walk.edge(exit), t, left, start, extent, end)) return end;
+      }
       const FT beside = m_goals.miss(reach, start, extent);
       if (crossing.goal.y <= beside)
       {

@@ -31,6 +31,7 @@ struct Source_primitive
   Index part;   // number of the point, or of the segment, within the source
   bool is_segment;
   bool is_short = false; // a segment so short that paths to both ends may be one path up to rounding, or an end of it
+  bool varies = false;   // a segment along which the start value varies
 };
 
 // Position of a primitive: the segment from `first` to `second` in a common face; a point is `first` alone.
@@ -58,6 +59,7 @@ public:
     Index halfedge;
     FT b0, b1;
     Source_ref source_ref;
+    FT start, slope = FT(0); // the distance at b0, and its increase along the halfedge
   };
   struct Vertex_fan // rays from a source vertex; see Vertex_sector::for_each_corner()
   {
@@ -79,9 +81,17 @@ public:
   // Sets the start value of the sources that are added next.
   void set_start_value(const FT& s) { m_start_value = s; }
 
-  void add_point(Index source, const Surface_point_& p)
+  // A point on a barrier is a point on each side.
+  void add_point(Index source, const Surface_point_& point)
   {
-    const Source_ref source_ref(add_primitive({source, 0, false}, {p, p}), Source_side::NONE);
+    for_each_side(m_mesh, point, [&](const Surface_point_& p) {
+      add_all_directions({source, 0, false}, p, Source_side::NONE);
+    });
+  }
+
+  void add_all_directions(const Source_primitive& primitive, const Surface_point_& p, Source_side side)
+  {
+    const Source_ref source_ref(add_primitive(primitive, {p, p}), side);
     if (p.kind == Surface_point_::VERTEX)
     {
       add_seed_at_source(p.element, source_ref);
@@ -143,9 +153,18 @@ public:
 
   void add_edge_windows(Index h, const FT& b0, const FT& b1, Source_ref on_left, Source_ref on_right)
   {
+    add_edge_windows(h, b0, b1, on_left, on_right, m_start_value, m_start_value);
+  }
+
+  // With start values that vary linearly from s0 at b0 to s1 at b1. Rays leave the edge at the angle whose cosine is the slope.
+  void add_edge_windows(Index h, const FT& b0, const FT& b1, Source_ref on_left, Source_ref on_right, const FT& s0,
+                        const FT& s1)
+  {
     CGAL_precondition(b0 <= b1);
-    edges.push_back({h, b0, b1, on_left});
-    if (m_mesh.twin(h) != no_index) edges.push_back({m_mesh.twin(h), m_mesh[h].length - b1, m_mesh[h].length - b0, on_right});
+    const FT slope = s0 == s1 ? FT(0) : FT((s1 - s0) / (b1 - b0));
+    edges.push_back({h, b0, b1, on_left, s0, slope});
+    if (m_mesh.twin(h) != no_index)
+      edges.push_back({m_mesh.twin(h), m_mesh[h].length - b1, m_mesh[h].length - b0, on_right, s1, FT(-slope)});
   }
 
   // First distance of a source vertex.
@@ -248,8 +267,8 @@ private:
     for (const Edge_window& e : edges)
     {
       if (kept.empty() || kept.back().halfedge != e.halfedge) covered.clear();
-      if (!(e.b0 < e.b1))
-      { // without extent by rounding
+      if (!(e.b0 < e.b1) || !CGAL::is_zero(e.slope))
+      { // without extent by rounding, or as of no other source
         kept.push_back(e);
         continue;
       }
@@ -264,7 +283,7 @@ private:
         const FT end = is_last ? e.b1 : next->first.second;
         if (at < end)
         {
-          kept.push_back({e.halfedge, at, end, e.source_ref});
+          kept.push_back({e.halfedge, at, end, e.source_ref, start});
           covered.emplace_hint(next, std::make_pair(start, at), end);
         }
         at = is_last ? end : (next++)->second;

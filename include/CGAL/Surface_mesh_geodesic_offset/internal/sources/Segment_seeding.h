@@ -14,6 +14,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Initial_windows.h>
 
 #include <algorithm>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -30,7 +31,8 @@ public:
 
   Segment_seeding(const Unfolded_mesh<FT>& mesh, Initial_windows<FT>& out) : m_mesh(mesh), m_sector(mesh), m_out(out) {}
 
-  void add_polyline(Index source, const std::vector<Surface_point_>& points, bool closed)
+  // start_values: of the points, linear between them; empty if they are equal, see Initial_windows::set_start_value().
+  void add_polyline(Index source, const std::vector<Surface_point_>& points, const std::vector<FT>& start_values, bool closed)
   {
     const std::size_t n = points.size();
     if (n == 0) return;
@@ -41,7 +43,12 @@ public:
       Segment s;
       const Surface_point_ &p = points[i], &q = points[(i + 1) % n];
       s.part = Index(i);
-      if (make_segment(p, q, i, left_out, s)) segments.push_back(s);
+      if (!start_values.empty()) s.starts = {start_values[i], start_values[(i + 1) % n]};
+      if (make_segment(p, q, i, left_out, s))
+      {
+        set_slope(s, i);
+        segments.push_back(s);
+      }
       else m_out.add_primitive({source, s.part, true}, {p, q}); // sends no rays, but certified bounds count it
     }
     if (segments.empty() || (closed && segments.size() == 1)) // a single segment is as short as those that lead back
@@ -50,14 +57,21 @@ public:
       return;
     }
     straighten(segments, closed);
-    for (const Segment& s : segments) add_segment(source, s);
+    for (const Segment& s : segments)
+    {
+      if (s.is_silent) continue;
+      if (s.starts) m_out.set_start_value((std::min)(s.starts->first, s.starts->second));
+      add_segment(source, s);
+      if (const auto other = across_barrier(s)) add_segment(source, *other);
+    }
     const std::size_t m = segments.size();
     if (!closed)
     {
-      add_end(source, segments.front().first, segments.front(), false, 0);
-      add_end(source, segments.back().second, segments.back(), true, Index(n - 1));
+      add_corner(source, segments.front().first, nullptr, &segments.front(), 0);
+      add_corner(source, segments.back().second, &segments.back(), nullptr, Index(n - 1));
     }
-    for (std::size_t i = closed ? 0 : 1; i < m; ++i) add_joint(source, segments[(i + m - 1) % m], segments[i]);
+    for (std::size_t i = closed ? 0 : 1; i < m; ++i)
+      add_corner(source, segments[i].first, &segments[(i + m - 1) % m], &segments[i], segments[i].part);
   }
 
   // Adds edges, given by one halfedge each.
@@ -67,17 +81,18 @@ public:
     std::vector<char> is_source(m_mesh.number_of_halfedges(), 0);
     for (std::size_t i = 0; i < halfedges.size(); ++i)
     {
-      const Index h = halfedges[i];
-      if (is_source[h]) continue;
-      is_source[h] = 1;
-      const Index primitive =
-        m_out.add_primitive({source, Index(i), true},
-                            {Surface_point_::at_vertex(m_mesh.source(h)), Surface_point_::at_vertex(m_mesh.target(h))});
-      const Source_ref source_ref(primitive, Source_side::NONE);
-      m_out.add_edge_windows(h, FT(0), m_mesh[h].length, source_ref, source_ref);
-      if (m_mesh.twin(h) != no_index) is_source[m_mesh.twin(h)] = 1;
-      ends.push_back(m_mesh.source(h));
-      ends.push_back(m_mesh.target(h));
+      for (const Index h : {halfedges[i], m_mesh.across_barrier(halfedges[i])})
+      {
+        if (h == no_index || is_source[h]) continue;
+        is_source[h] = 1;
+        const Index primitive =
+          m_out.add_primitive({source, Index(i), true},
+                              {Surface_point_::at_vertex(m_mesh.source(h)), Surface_point_::at_vertex(m_mesh.target(h))});
+        const Source_ref source_ref(primitive, Source_side::NONE);
+        m_out.add_edge_windows(h, FT(0), m_mesh[h].length, source_ref, source_ref);
+        if (m_mesh.twin(h) != no_index) is_source[m_mesh.twin(h)] = 1;
+        for (const Index v : {m_mesh.source(h), m_mesh.target(h)}) m_mesh.for_each_copy(v, [&](Index w) { ends.push_back(w); });
+      }
     }
     std::sort(ends.begin(), ends.end());
     ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
@@ -98,9 +113,12 @@ private:
     Point a, b;
     unsigned edge; // bit of the halfedge that contains both ends, or 0
     Index part;
-    Point direction; // unit vector from a to b
-    FT uncertainty;  // of the direction, an angle
-    bool is_short;   // see Source_primitive
+    Point direction;                              // unit vector from a to b
+    FT uncertainty;                               // of the direction, an angle
+    bool is_short;                                // see Source_primitive
+    std::optional<std::pair<FT, FT>> starts = {}; // start values of the ends, if those of the polyline may differ
+    bool varies = false;                          // they differ
+    bool is_silent = false;                       // they differ by the length or more: paths to one end are nowhere longer
   };
 
   // Makes the segment from p, the point with the given number, to q. Returns false for a degenerate segment, which has no
@@ -109,16 +127,16 @@ private:
   // many tiny segments is not lost.
   bool make_segment(const Surface_point_& p, const Surface_point_& q, std::size_t number, FT& left_out, Segment& s) const
   {
-    s.first = p;
-    s.second = q;
-    s.face = face_of_both(m_mesh, p, q, s.a, s.b, s.edge);
+    find_face(p, q, s);
     if (s.face == no_index)
       throw std::invalid_argument("Surface_mesh_geodesic_offset: point " + std::to_string(number) +
                                   " of a polyline and the next one have no face in common");
-    if (p.kind == Surface_point_::VERTEX && q.kind == Surface_point_::VERTEX && p.element == q.element) return false;
+    if (s.first.kind == Surface_point_::VERTEX && s.second.kind == Surface_point_::VERTEX &&
+        s.first.element == s.second.element)
+      return false;
     const FT size = length(s.b - s.a);
     if (!CGAL::is_positive(size)) return false;
-    if (are_of_one_element(m_mesh, p, q) && left_out + size <= size_of_point(m_mesh, s.face))
+    if (are_of_one_element(m_mesh, s.first, s.second) && left_out + size <= size_of_point(m_mesh, s.face))
     {
       left_out += size;
       return false;
@@ -133,6 +151,64 @@ private:
     s.uncertainty = s.edge ? FT(0) : m_out.direction_uncertainty(s.face, size);
     s.is_short = size <= largest_short_part() * Face_frame<FT>(m_mesh, s.face).longest_edge();
     return true;
+  }
+
+  // Compares the start values of the ends. number: of the segment, for messages.
+  void set_slope(Segment& s, std::size_t number) const
+  {
+    if (!s.starts || s.starts->first == s.starts->second) return;
+    if (!s.edge)
+      throw std::invalid_argument("Surface_mesh_geodesic_offset: segment " + std::to_string(number) +
+                                  " of a polyline has start values that vary, but is not along an edge; "
+                                  "split_along_polylines() makes edges of it");
+    s.varies = true;
+    const FT size = length(s.b - s.a), rest = size - CGAL::abs(FT(s.starts->second - s.starts->first));
+    s.is_silent = rest <= Number_policy<FT>::rounding(roundings_of_slope) * size;
+  }
+
+  // Units of rounding that the slope of start values is at least less than 1: rays along the segment have a rounding error of a
+  // quarter of this in their direction, by which they would not leave the edge.
+  static constexpr double roundings_of_slope = 256;
+
+  // Finds a face of both ends, one where they are on the same edge if there is one, and the sides of barriers of this face.
+  void find_face(const Surface_point_& p, const Surface_point_& q, Segment& s) const
+  {
+    s.face = no_index;
+    for_each_side(m_mesh, p, [&](const Surface_point_& first) {
+      for_each_side(m_mesh, q, [&](const Surface_point_& second) {
+        Segment t = s;
+        const Index face = face_of_both(m_mesh, first, second, t.a, t.b, t.edge);
+        if (face == no_index || (s.face != no_index && (s.edge || !t.edge))) return;
+        t.first = first;
+        t.second = second;
+        t.face = face;
+        s = t;
+      });
+    });
+  }
+
+  // The segment on the other side of the barrier along which it runs; empty if there is none.
+  std::optional<Segment> across_barrier(const Segment& s) const
+  {
+    const Index h = s.edge ? m_mesh.across_barrier(3 * s.face + Index(edge_of_bit(s.edge))) : no_index;
+    if (h == no_index) return std::nullopt;
+    Segment other = s;
+    other.face = m_mesh.face(h);
+    for (Surface_point_* const p : {&other.first, &other.second})
+    {
+      const Surface_point_ known = *p;
+      for_each_side(m_mesh, known, [&](const Surface_point_& q) {
+        if (q.kind == Surface_point_::VERTEX ? q.element == m_mesh.source(h) || q.element == m_mesh.target(h) : q.element == h)
+          *p = q;
+      });
+    }
+    unsigned edges;
+    position_in_face(m_mesh, other.first, other.face, other.a, edges);
+    position_in_face(m_mesh, other.second, other.face, other.b, edges);
+    other.edge = 1u << h % 3;
+    const Point along = Face_frame<FT>(m_mesh, other.face).direction(int(h % 3));
+    other.direction = CGAL::is_negative(dot(along, other.b - other.a)) ? FT(-1) * along : along;
+    return other;
   }
 
   // Length of a short segment, as a part of an edge: a straight path of 2^14 edges may miss its goal by as much, see
@@ -165,6 +241,7 @@ private:
   void take_direction(const Segment& known, const Surface_point_& p, Segment& s) const
   {
     if (!(known.uncertainty < s.uncertainty) || p.kind == Surface_point_::VERTEX) return;
+    if (p.kind == Surface_point_::EDGE && m_mesh.across_barrier(p.element) != no_index) return;
     Point t = vector_in_face(m_mesh, p, s.face, vector_at_point(m_mesh, p, known.face, known.direction));
     if (CGAL::is_negative(dot(t, s.direction))) t = FT(-1) * t;
     // The rounding of a large face must not count in a tiny face next to it.
@@ -178,7 +255,7 @@ private:
 
   void add_segment(Index source, const Segment& s)
   {
-    const Index primitive = m_out.add_primitive({source, s.part, true, s.is_short}, {s.first, s.second});
+    const Index primitive = m_out.add_primitive({source, s.part, true, s.is_short, s.varies}, {s.first, s.second});
     const Source_ref left(primitive, Source_side::LEFT), right(primitive, Source_side::RIGHT);
     const Face_frame<FT> frame(m_mesh, s.face);
     if (s.edge)
@@ -188,7 +265,10 @@ private:
       FT ta = position_on_edge(s.first, h), tb = position_on_edge(s.second, h);
       const bool forward = ta < tb;
       if (!forward) std::swap(ta, tb);
-      m_out.add_edge_windows(h, ta, tb, forward ? left : right, forward ? right : left);
+      if (!s.varies) m_out.add_edge_windows(h, ta, tb, forward ? left : right, forward ? right : left);
+      else
+        m_out.add_edge_windows(h, ta, tb, forward ? left : right, forward ? right : left,
+                               forward ? s.starts->first : s.starts->second, forward ? s.starts->second : s.starts->first);
       return;
     }
     const FT size = length(s.b - s.a);
@@ -243,6 +323,36 @@ private:
     return vector_at_point(m_mesh, p, s.face, at_second ? FT(-1) * s.direction : s.direction);
   }
 
+  // Adds the rays from the end of a segment, where another one may start. On a barrier, each side has its own.
+  void add_corner(Index source, const Surface_point_& point, const Segment* in, const Segment* out, Index part)
+  {
+    if (const Segment* const s = in ? in : out; s->starts) m_out.set_start_value(in ? s->starts->second : s->starts->first);
+    if (in && in->is_silent) in = nullptr;
+    if (out && out->is_silent) out = nullptr;
+    for_each_side(m_mesh, point, [&](const Surface_point_& p) {
+      const std::optional<Segment> arriving = on_side(in, p), leaving = on_side(out, p);
+      if (arriving && leaving) add_joint(source, p, *arriving, *leaving);
+      else if (arriving) add_end(source, p, *arriving, true, part);
+      else if (leaving) add_end(source, p, *leaving, false, part);
+      else m_out.add_all_directions({source, part, false}, p, Source_side::CAP);
+    });
+  }
+
+  // The segment, or that on the other side of its barrier, if it is in a face of the side of p.
+  std::optional<Segment> on_side(const Segment* s, const Surface_point_& p) const
+  {
+    if (!s) return std::nullopt;
+    const auto is_beside = [&](const Segment& t) {
+      if (p.kind == Surface_point_::VERTEX)
+        return m_mesh.source(3 * t.face) == p.element || m_mesh.source(3 * t.face + 1) == p.element ||
+               m_mesh.source(3 * t.face + 2) == p.element;
+      return m_mesh.across_barrier(p.element) == no_index || m_mesh.face(p.element) == t.face;
+    };
+    if (p.kind == Surface_point_::FACE || is_beside(*s)) return *s;
+    const auto other = across_barrier(*s);
+    return other && is_beside(*other) ? other : std::nullopt;
+  }
+
   void add_end(Index source, const Surface_point_& p, const Segment& s, bool at_second, Index part)
   {
     const Source_ref source_ref(m_out.add_primitive({source, part, false, s.is_short}, {p, p}), Source_side::CAP);
@@ -250,25 +360,32 @@ private:
     {
       const Ray r = ray_of(s, at_second);
       m_out.add_seed_at_source(p.element, source_ref);
-      add_sector_between(p.element, r, r, source_ref, m_out.direction_uncertainty(s.face, length(s.b - s.a)));
+      add_sector_between(p.element, r, r, source_ref, uncertainty_at_vertex(s));
       add_other_fans(p.element, r.corner, no_index, source_ref);
       return;
     }
     const Point u = vector_of(s, at_second, p);
-    const Point from = quarter_turn(u), to = FT(-1) * from;
+    const Point back = FT(-1) * u, from = quarter_turn(u), to = FT(-1) * from;
     m_out.add_seeds_of_point(p, [source_ref](const Point&) { return source_ref; });
-    m_out.add_flat_sector(p, &from, &to, source_ref);
+    if (!s.varies) return m_out.add_flat_sector(p, &from, &to, source_ref);
+    m_out.add_flat_sector(p, &u, &back, source_ref);
+    m_out.add_flat_sector(p, &back, &u, source_ref);
   }
 
-  void add_joint(Index source, const Segment& in, const Segment& out)
+  // Of the direction of a segment at a vertex. Where start values vary, rays from the vertex start in all directions beside the
+  // segment: those between the segment and its own rays are nowhere shortest.
+  FT uncertainty_at_vertex(const Segment& s) const
   {
-    const Surface_point_& p = out.first;
+    return s.varies ? FT(1) : m_out.direction_uncertainty(s.face, length(s.b - s.a));
+  }
+
+  void add_joint(Index source, const Surface_point_& p, const Segment& in, const Segment& out)
+  {
     const Index primitive = m_out.add_primitive({source, out.part, false, in.is_short || out.is_short}, {p, p});
     const Source_ref left(primitive, Source_side::LEFT), right(primitive, Source_side::RIGHT);
     if (p.kind == Surface_point_::VERTEX)
     {
-      const FT uncertainty = (std::max)(m_out.direction_uncertainty(in.face, length(in.b - in.a)),
-                                        m_out.direction_uncertainty(out.face, length(out.b - out.a)));
+      const FT uncertainty = (std::max)(uncertainty_at_vertex(in), uncertainty_at_vertex(out));
       const Ray r_in = ray_of(in, true), r_out = ray_of(out, false);
       m_out.add_seed_at_source(p.element, left);
       if (same_fan(r_in.corner, r_out.corner))
@@ -293,6 +410,12 @@ private:
       const bool is_between = CGAL::is_positive(cross(first, v)) && CGAL::is_positive(cross(v, last));
       return is_between == reflex_left ? right : left;
     });
+    if (in.varies || out.varies)
+    { // in all directions, as at a vertex
+      m_out.add_flat_sector(p, &u_out, &u_in, left);
+      m_out.add_flat_sector(p, &u_in, &u_out, right);
+      return;
+    }
     // u_in points backward along the incoming segment; on a straight polyline u_in and u_out are opposite.
     const FT straight = -dot(u_in, u_out), uncertainty = (std::max)(in.uncertainty, out.uncertainty);
     const auto add_side = [&](bool is_left) {

@@ -20,8 +20,8 @@ void Source_set<FT>::start(const Unfolded_mesh<FT>& mesh, const Source& s, Index
   switch (s.kind)
   {
   case POINT: initial.add_point(id, s.points.front()); break;
-  case OPEN_POLYLINE: Segment_seeding<FT>(mesh, initial).add_polyline(id, s.points, false); break;
-  case CLOSED_POLYLINE: Segment_seeding<FT>(mesh, initial).add_polyline(id, s.points, true); break;
+  case OPEN_POLYLINE: Segment_seeding<FT>(mesh, initial).add_polyline(id, s.points, s.start_values, false); break;
+  case CLOSED_POLYLINE: Segment_seeding<FT>(mesh, initial).add_polyline(id, s.points, s.start_values, true); break;
   case EDGES: Segment_seeding<FT>(mesh, initial).add_edges(id, s.halfedges); break;
   }
 }

@@ -10,6 +10,7 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/splitting/Face_triangulation.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/splitting/Piece_crossings.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/splitting/Split_points.h>
 
 #include <CGAL/assertions.h>
@@ -27,6 +28,7 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -52,6 +54,13 @@ public:
     for (const face_descriptor f : faces(tm)) put(m_number_at, f, 0);
   }
 
+  // Bands and cells do not spread across barriers of the surface that the curves are on.
+  template <class Surface>
+  void set_barriers(const Surface& surface)
+  {
+    surface.unfolded.for_each_barrier([&](auto h) { m_barriers.insert(edge(surface.halfedge_of(h), m_mesh)); });
+  }
+
   // `level`: index of the distance of the curve among those of all curves, by increasing distance.
   void add(const Curve& curve, std::size_t level)
   {
@@ -71,6 +80,14 @@ public:
     }
   }
 
+  // Makes the points where pieces cross points of the mesh, and lets pieces pass points that are nearer than the snap distance. To be
+  // called when all curves are added, if all pieces are straight.
+  void cross_pieces()
+  {
+    for (Face_pieces& f : m_faces) f.crossings = Piece_crossings<Points, Piece>(m_points, f.face).find(f.pieces);
+    m_crosses_pieces = true;
+  }
+
   // Triangulates the crossed faces. To be called once, when all curves are added.
   void triangulate()
   {
@@ -79,13 +96,20 @@ public:
     Face_triangulation<Points, Piece> triangulation(m_points, m_tolerance);
     for (Face_pieces& f : m_faces)
     {
-      std::vector<Id> ends;
+      std::vector<Id> ends = f.crossings;
       for (const auto& p : f.pieces) ends.insert(ends.end(), {p.from, p.to});
       m_points.merge_inside(f.face, ends);
       for (auto& p : f.pieces)
       {
         p.from = m_points.merged(p.from);
         p.to = m_points.merged(p.to);
+      }
+      if (m_crosses_pieces)
+      {
+        for (Id& id : ends) id = m_points.merged(id);
+        const std::vector<Id> boundary = m_points.boundary(f.face);
+        ends.insert(ends.end(), boundary.begin(), boundary.end());
+        Piece_crossings<Points, Piece>(m_points, f.face).divide(f.pieces, ends);
       }
       triangulation(f.face, f.pieces);
       m_triangulated.push_back({f.face,
@@ -132,8 +156,8 @@ public:
   template <class FaceBandMap, class Levels, class Distance>
   void write_bands(FaceBandMap band_map, const Levels& levels, const std::optional<Distance>& distance_of)
   {
-    Face_labels regions(m_mesh, m_edges); // connected without crossing a curve
-    std::vector<face_descriptor> first;   // a face of each
+    Face_labels regions(m_mesh, m_edges, m_barriers); // connected without crossing a curve
+    std::vector<face_descriptor> first;               // a face of each
     for (const face_descriptor f : faces(m_mesh))
     {
       if (regions.is_set(f)) continue;
@@ -185,7 +209,7 @@ public:
   template <class FaceSourceMap, class Function, class Labels_of>
   void write_cells(FaceSourceMap source_map, const Function& labels_at, const Labels_of& labels_of)
   {
-    Face_labels labels(m_mesh, m_edges, [&](face_descriptor f, std::size_t label) {
+    Face_labels labels(m_mesh, m_edges, m_barriers, [&](face_descriptor f, std::size_t label) {
       const std::vector<std::size_t>& allowed = labels_at(f);
       return std::find(allowed.begin(), allowed.end(), label) != allowed.end();
     });
@@ -209,24 +233,28 @@ private:
   {
     face_descriptor face;
     std::vector<Piece_in_face> pieces;
+    std::vector<Id> crossings; // see cross_pieces()
   };
   struct Curve_edge : Split_edge // of the split mesh, in the direction of its curve
   {
     halfedge_descriptor halfedge;
   };
-  // Labels of faces, spread over all edges but those of curves.
+  typedef std::set<typename Graph_traits::edge_descriptor> Edges;
+  // Labels of faces, spread over all edges but those of curves and barriers.
   class Face_labels
   {
   public:
     typedef std::function<bool(face_descriptor, std::size_t)> Is_allowed;
 
-    Face_labels(const TriangleMesh& mesh, const std::vector<Curve_edge>& curves, Is_allowed is_allowed = {})
+    Face_labels(const TriangleMesh& mesh, const std::vector<Curve_edge>& curves, const Edges& barriers,
+                Is_allowed is_allowed = {})
       : m_mesh(mesh), m_is_allowed(std::move(is_allowed)), m_label(get(Face_tag(), mesh)), m_is_set(get(Set_tag(), mesh)),
         m_is_curve(get(Edge_tag(), mesh))
     {
       for (const face_descriptor f : faces(mesh)) put(m_is_set, f, false);
       for (const auto e : edges(mesh)) put(m_is_curve, e, false);
       for (const Curve_edge& e : curves) put(m_is_curve, edge(e.halfedge, mesh), true);
+      for (const auto e : barriers) put(m_is_curve, e, true);
     }
 
     // The first label counts.
@@ -327,7 +355,7 @@ private:
     std::size_t number = get(m_number_at, f);
     if (number == 0)
     {
-      m_faces.push_back({f, {}});
+      m_faces.push_back({f, {}, {}});
       number = m_faces.size();
       put(m_number_at, f, number);
     }
@@ -345,9 +373,11 @@ private:
   void divide(const typename Points::Edge_points& e, Visitor& visitor)
   {
     visitor.before_edge_split(e.halfedge, m_mesh);
+    const bool is_barrier = m_barriers.count(edge(e.halfedge, m_mesh)) != 0;
     for (const Id id : e.ids)
     {
       const halfedge_descriptor h = CGAL::Euler::split_edge(e.halfedge, m_mesh);
+      if (is_barrier) m_barriers.insert(edge(h, m_mesh));
       const vertex_descriptor v = target(h, m_mesh);
       m_new_vertices.push_back(v);
       put(m_vpm, v, m_points[id].point);
@@ -439,7 +469,9 @@ private:
   std::vector<Face_pieces> m_faces;
   std::vector<Triangulated_face> m_triangulated;
   std::vector<std::pair<face_descriptor, std::size_t>> m_uncrossed; // faces that no curve crosses, with their sources
+  bool m_crosses_pieces = false;
   std::vector<Curve_edge> m_edges;
+  Edges m_barriers;
   std::vector<vertex_descriptor> m_new_vertices;
   typename boost::property_map<TriangleMesh, Face_tag>::type m_number_at; // 1 + index in m_faces
 };

@@ -39,16 +39,22 @@ struct Split_lengths
   double diagonal; // of the bounding box
   double chord_tolerance;
 
+  template <class TriangleMesh, class VertexPointMap>
+  static double diagonal_of(const TriangleMesh& tm, const VertexPointMap& vpm)
+  {
+    Bbox_3 box; // of the surface: isolated vertices may be anywhere
+    for (const auto v : vertices(tm))
+      if (halfedge(v, tm) != boost::graph_traits<TriangleMesh>::null_halfedge()) box += get(vpm, v).bbox();
+    return box.xmin() <= box.xmax() ? std::hypot(box.x_span(), box.y_span(), box.z_span()) : 0;
+  }
+
   // Reads the parameter `chord_tolerance`, a number of type FT, and checks it with the curves.
   // \throws std::invalid_argument unless the tolerance is positive
   // \throws std::length_error if the curves have more than `most_chords`
   template <class FT, class TriangleMesh, class VertexPointMap, class Curves, class NamedParameters>
   static Split_lengths of(const TriangleMesh& tm, const VertexPointMap& vpm, const Curves& curves, const NamedParameters& np)
   {
-    Bbox_3 box; // of the surface: isolated vertices may be anywhere
-    for (const auto v : vertices(tm))
-      if (halfedge(v, tm) != boost::graph_traits<TriangleMesh>::null_halfedge()) box += get(vpm, v).bbox();
-    const double diagonal = box.xmin() <= box.xmax() ? std::hypot(box.x_span(), box.y_span(), box.z_span()) : 0;
+    const double diagonal = diagonal_of(tm, vpm);
     const FT default_tolerance(diagonal > 0 ? default_chord_tolerance * diagonal : 1); // a mesh without a size has no chords
     const double tolerance = CGAL::to_double(
       parameters::choose_parameter(parameters::get_parameter(np, internal_np::geodesic_chord_tolerance), default_tolerance));

@@ -29,6 +29,13 @@ struct Curve_context
   std::shared_ptr<const Surface> surface;
   std::vector<Source_primitive> primitives;
 
+  // Curves: an offset curve, or a Voronoi diagram.
+  template <class Curves>
+  static const Surface& surface_of(const Curves& curves)
+  {
+    return *curves.m_context->surface;
+  }
+
   template <class FT, class Pieces>
   static Geodesic_offset_curve<Surface> make_curve(const std::shared_ptr<const Curve_context>& context, const FT& distance,
                                                    const FT& tolerance, bool is_closed, Pieces&& pieces)
@@ -36,6 +43,13 @@ struct Curve_context
     return Geodesic_offset_curve<Surface>(context, distance, tolerance, is_closed, std::forward<Pieces>(pieces));
   }
 };
+
+// The surface of an offset curve or of a Voronoi diagram.
+template <template <class> class Curves, class Surface>
+const Surface& surface_of(const Curves<Surface>& curves)
+{
+  return Curve_context<Surface>::surface_of(curves);
+}
 
 } // namespace internal
 } // namespace Geodesic_offset

@@ -69,7 +69,7 @@ struct Geodesic_mesh_data
   const Locator& locator() const
   {
     surface_with_points();
-    std::call_once(m_locator_once, [this] { m_locator = std::make_shared<Locator>(unfolded(), surface()); });
+    std::call_once(m_locator_once, [this] { m_locator = std::make_shared<Locator>(unfolded().without_barriers(), surface()); });
     return *static_cast<const Locator*>(m_locator.get());
   }
 
@@ -138,6 +138,7 @@ private:
       shared_surface = std::make_shared<Surface>(
         tm, vim, fim, vpm,
         parameters::choose_parameter(parameters::get_parameter(np, internal_np::geodesic_edge_length_map), No_lengths()),
+        parameters::choose_parameter(parameters::get_parameter(np, internal_np::edge_is_constrained), No_barriers()),
         user_traits, team);
     }
   }

@@ -9,6 +9,7 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
+#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Barriers.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Face_links.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Index_renumbering.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Face_frame.h>
@@ -69,6 +70,11 @@ struct No_lengths
 {
 };
 
+// Instead of a map of edges that are barriers.
+struct No_barriers
+{
+};
+
 template <class Traits_, class VertexIndexMap, class FaceIndexMap, class VertexPointMap>
 struct Geodesic_surface : Surface_points<Space_kernel<typename Traits_::Kernel>>
 {
@@ -89,11 +95,11 @@ struct Geodesic_surface : Surface_points<Space_kernel<typename Traits_::Kernel>>
   typedef std::array<FT, 3> Barycentric_coordinates;
   typedef std::pair<face_descriptor, Barycentric_coordinates> Face_location;
 
-  // lengths: a map of the lengths of edges, or No_lengths
-  template <class LengthMap, class Team>
+  // lengths: a map of the lengths of edges, or No_lengths; barriers: a map that is true for barrier edges, or No_barriers
+  template <class LengthMap, class BarrierMap, class Team>
   Geodesic_surface(const Triangle_mesh& mesh, const VertexIndexMap& vim, const FaceIndexMap& fim, const VertexPointMap& points,
-                   const LengthMap& lengths, const Traits& traits, Team& team)
-    : Geodesic_surface(mesh, vim, fim, points, lengths,
+                   const LengthMap& lengths, const BarrierMap& barriers, const Traits& traits, Team& team)
+    : Geodesic_surface(mesh, vim, fim, points, lengths, barriers,
                        std::vector<vertex_descriptor>(vertices(mesh).begin(), vertices(mesh).end()),
                        std::vector<face_descriptor>(faces(mesh).begin(), faces(mesh).end()), traits, team)
   {
@@ -332,19 +338,29 @@ private:
   }
 
   // all_vertices, all_faces: in the order of the mesh
-  template <class LengthMap, class Team>
+  template <class LengthMap, class BarrierMap, class Team>
   Geodesic_surface(const Triangle_mesh& mesh, const VertexIndexMap& vim, const FaceIndexMap& fim,
-                   const VertexPointMap& point_map, const LengthMap& length_map,
-                   const std::vector<vertex_descriptor>& all_vertices, const std::vector<face_descriptor>& all_faces,
+                   const VertexPointMap& point_map, const LengthMap& length_map, const BarrierMap& barrier_map,
+                   std::vector<vertex_descriptor> all_vertices, const std::vector<face_descriptor>& all_faces,
                    const Traits& traits, Team& team)
     : tm(mesh), has_points(std::is_same<LengthMap, No_lengths>::value), vertex_indices(vim), face_indices(fim), vpm(point_map),
       numbers(end_of_indices(vim, all_vertices, (std::size_t(1) << 29) - 1),
               end_of_indices(fim, all_faces, (std::size_t(1) << 30) - 1))
   {
-    const All_face_links links = face_links(tm, all_faces, vim, fim, numbers.faces_end(), team);
+    All_face_links links = face_links(tm, all_faces, vim, fim, numbers.faces_end(), team), whole_links;
+    std::vector<Index> indices(all_vertices.size()); // in the mesh; copies have the numbers behind
+    for (std::size_t i = 0; i < indices.size(); ++i) indices[i] = Index(index_in_mesh(all_vertices[i]));
+    Barriers barriers;
+    if constexpr (!std::is_same<BarrierMap, No_barriers>::value)
+    {
+      whole_links = links;
+      barriers = cut(links, all_faces, barrier_map);
+      add_copies(barriers, all_vertices, indices);
+    }
     // coordinates of other than built-in types may share memory, so one thread reads them
     auto&& readers_of_points = team_or_alone(team);
-    if (has_points) renumber_if_scattered(links, all_vertices, readers_of_points);
+    if (has_points) renumber_if_scattered(links, all_vertices, indices, readers_of_points);
+    barriers.renumber(numbers);
     face_of.assign(numbers.faces_end(), Graph_traits::null_face()); // unused indices keep the null descriptor
     std::vector<Index> face_at(numbers.faces_end(), no_index);
     Blocks(all_faces.size(), team.size()).for_each(team, [&](Index, std::size_t begin, std::size_t end) {
@@ -356,6 +372,11 @@ private:
       }
     });
     vertex_of.assign(numbers.vertices_end(), Graph_traits::null_vertex());
+    const auto set_up = [&](const auto&... layout) {
+      unfolded = Unfolded_mesh<Number>(numbers, links, face_at, layout..., team);
+      if (!barriers.empty() && unfolded.is_laid_out())
+        unfolded.set_barriers(barriers, Unfolded_mesh<Number>(numbers, whole_links, face_at, layout..., team));
+    };
     if constexpr (std::is_same<LengthMap, No_lengths>::value)
     {
       std::vector<typename Computing_traits::Point_3> points(numbers.vertices_end());
@@ -363,18 +384,18 @@ private:
         for (std::size_t k = begin; k < end; ++k)
         {
           const vertex_descriptor v = all_vertices[k];
-          const Index i = index_of(v);
+          const Index i = numbers.of_vertex(indices[k]);
           vertex_of[i] = v;
           // isolated vertices may have coordinates that are not convertible, such as NaN
           if (halfedge(v, tm) != Graph_traits::null_halfedge())
             points[i] = converted_point<typename Computing_traits::Point_3, Number>(get(vpm, v));
         }
       });
-      unfolded = Unfolded_mesh<Number>(numbers, links, face_at, points, Computation<Traits>::computing_traits(traits), team);
+      set_up(points, Computation<Traits>::computing_traits(traits));
     }
     else
     {
-      for (const vertex_descriptor v : all_vertices) vertex_of[index_of(v)] = v;
+      for (std::size_t k = 0; k < indices.size(); ++k) vertex_of[numbers.of_vertex(indices[k])] = all_vertices[k];
       std::vector<Number> lengths(3 * face_of.size(), Number(0)); // by halfedge
       for (const face_descriptor f : all_faces)
       {
@@ -382,7 +403,7 @@ private:
         for (Index k = 0; k < 3; ++k, h = next(h, tm))
           lengths[3 * index_of(f) + k] = imported(FT(get(length_map, edge(h, tm))));
       }
-      unfolded = Unfolded_mesh<Number>(numbers, links, face_at, vertex_of.size(), lengths, team);
+      set_up(vertex_of.size(), lengths);
     }
     if (!unfolded.has_usable_scale())
       throw std::invalid_argument("Surface_mesh_geodesic_offset: the longest edge is too long or too short for the number "
@@ -403,11 +424,36 @@ private:
     return elements.empty() ? 0 : largest + 1;
   }
 
-  template <class Team>
-  void renumber_if_scattered(const All_face_links& links, const std::vector<vertex_descriptor>& all_vertices, Team& team)
+  // Cuts the links along the edges for which the map is true.
+  template <class BarrierMap>
+  Barriers cut(All_face_links& links, const std::vector<face_descriptor>& all_faces, const BarrierMap& is_barrier) const
   {
-    std::vector<Index> indices(all_vertices.size());
-    for (std::size_t i = 0; i < indices.size(); ++i) indices[i] = Index(index_in_mesh(all_vertices[i]));
+    std::vector<face_descriptor> face_at(links.size(), Graph_traits::null_face());
+    for (const face_descriptor f : all_faces) face_at[index_in_mesh(f)] = f;
+    return Barriers(links, numbers.vertices_end(), [&](Index f, Index k) {
+      const halfedge_descriptor first = halfedge(face_at[f], tm);
+      return bool(get(is_barrier, edge(k == 0 ? first : k == 1 ? next(first, tm) : prev(first, tm), tm)));
+    });
+  }
+
+  // Adds the copies of vertices on barriers to all vertices and their numbers.
+  void add_copies(const Barriers& barriers, std::vector<vertex_descriptor>& all_vertices, std::vector<Index>& indices)
+  {
+    std::vector<vertex_descriptor> vertex_at(numbers.vertices_end(), Graph_traits::null_vertex());
+    for (std::size_t i = 0; i < indices.size(); ++i) vertex_at[indices[i]] = all_vertices[i];
+    Index next = Index(numbers.vertices_end());
+    for (const Index v : barriers.copied())
+    {
+      indices.push_back(next++);
+      all_vertices.push_back(vertex_at[v]);
+    }
+    numbers.add_vertices(barriers.copied().size());
+  }
+
+  template <class Team>
+  void renumber_if_scattered(const All_face_links& links, const std::vector<vertex_descriptor>& all_vertices,
+                             const std::vector<Index>& indices, Team& team)
+  {
     const auto finite = [](const auto& x) {
       const double d = CGAL::to_double(x);
       return std::isfinite(d) ? d : 0.; // reported later

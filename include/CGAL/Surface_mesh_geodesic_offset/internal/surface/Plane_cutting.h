@@ -41,7 +41,7 @@ public:
   typedef Geodesic_plane_section<Face_location, typename Surface::vertex_descriptor, typename Surface::edge_descriptor> Section;
 
   Plane_cutting(const Surface& surface, const Plane_3& plane)
-    : m_surface(surface), m_mesh(surface.unfolded), m_plane(plane), m_side(m_mesh.number_of_vertices(), 0),
+    : m_surface(surface), m_mesh(surface.unfolded.without_barriers()), m_plane(plane), m_side(m_mesh.number_of_vertices(), 0),
       m_has_more(m_mesh.number_of_vertices(), 0)
   {
   }

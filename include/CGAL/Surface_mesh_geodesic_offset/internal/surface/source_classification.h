@@ -28,7 +28,16 @@ auto classified_source(const Geodesic_mesh_data<Surface>& mesh, const Source& so
   typedef decltype(source.kind) Kind;
   if (!(source.start_value >= 0) || !Number_policy<std::decay_t<decltype(source.start_value)>>::is_finite(source.start_value))
     throw std::invalid_argument("Surface_mesh_geodesic_offset: the start value of a source is negative or not a finite number");
-  typename Sources::Source result{Sources::POINT, {}, {}, mesh.surface().imported(source.start_value)};
+  typename Sources::Source result{Sources::POINT, {}, {}, mesh.surface().imported(source.start_value), {}};
+  for (const auto& s : source.start_values)
+  {
+    if (!(s >= 0) || !Number_policy<std::decay_t<decltype(s)>>::is_finite(s))
+      throw std::invalid_argument(
+        "Surface_mesh_geodesic_offset: a start value of a polyline is negative or not a finite number");
+    result.start_values.push_back(mesh.surface().imported(s));
+  }
+  if (!result.start_values.empty() && result.start_values.size() != source.locations.size())
+    throw std::invalid_argument("Surface_mesh_geodesic_offset: a polyline has not as many start values as points");
   switch (source.kind)
   {
   case Kind::VERTEX: result.points.push_back(mesh.classified(source.vertex)); break;

@@ -19,12 +19,25 @@ namespace CGAL::Geodesic_offset::internal {
 // Label of vertices without a distance.
 constexpr std::size_t no_source_label = (std::numeric_limits<std::size_t>::max)();
 
+// The copy of a vertex with the least distance: the vertex itself unless it is on a barrier.
+template <class FT, class Field>
+Index nearest_copy(const Unfolded_mesh<FT>& mesh, const Field& field, Index v)
+{
+  Index nearest = v;
+  mesh.for_each_copy(v, [&](Index w) {
+    if (field.distance[w] < field.distance[nearest]) nearest = w;
+  });
+  return nearest;
+}
+
 template <class Surface, class Build, class VertexDistanceMap>
 void write_vertex_distances(const Geodesic_mesh_data<Surface>& mesh, const Build& build, VertexDistanceMap map)
 {
   const Surface& surface = mesh.surface();
   for (const auto v : vertices(surface.tm))
-    put(map, v, typename Surface::FT(Surface::exported(build.field.distance_of_path(surface.index_of(v)))));
+    put(map, v,
+        typename Surface::FT(
+          Surface::exported(build.field.distance_of_path(nearest_copy(surface.unfolded, build.field, surface.index_of(v))))));
 }
 
 template <class Surface, class Build, class VertexLabelMap>
@@ -33,7 +46,7 @@ void write_source_labels(const Geodesic_mesh_data<Surface>& mesh, const Build& b
   const Surface& surface = mesh.surface();
   for (const auto v : vertices(surface.tm))
   {
-    const Index i = surface.index_of(v);
+    const Index i = nearest_copy(surface.unfolded, build.field, surface.index_of(v));
     const bool has_distance = Number_policy<typename Surface::Number>::is_finite(build.field.distance[i]);
     put(map, v, has_distance ? std::size_t(build.initial.source_of[build.field.source_ref[i].primitive()]) : no_source_label);
   }
