@@ -9,6 +9,7 @@
 #include "test_check.h"
 
 #include <CGAL/Surface_mesh_geodesic_offset/Surface_mesh_geodesic_enclosure.h>
+#include <CGAL/Surface_mesh_geodesic_offset/geodesic_distance_matrix.h>
 #include <CGAL/Surface_mesh_geodesic_offset/split_along_offset_curves.h>
 #include <CGAL/Surface_mesh_geodesic_offset/split_along_polylines.h>
 
@@ -525,6 +526,15 @@ void plates()
     const std::size_t source = uniform_index(random, soup.points.size());
     geodesic.add_source_point(meshes.whole_data.vertices[source]);
     geodesic.build();
+    const std::vector<Vertex_index> row_sources = {meshes.whole_data.vertices[source]};
+    CGAL::geodesic_distance_matrix(geodesic.mesh(), row_sources, meshes.whole_data.vertices,
+                                   [&](std::size_t, const std::vector<double>& row) {
+                                     for (std::size_t v = 0; v < row.size(); ++v)
+                                     {
+                                       const double d = geodesic.distance_to_sources(meshes.whole_data.vertices[v]);
+                                       CHECK_DETAIL(row[v] == d || std::abs(row[v] - d) <= 1e-13 * (1 + d), values(row[v], d));
+                                     }
+                                   });
     for (std::size_t i = 0; i < 20; ++i)
     {
       const std::size_t v = uniform_index(random, soup.points.size());

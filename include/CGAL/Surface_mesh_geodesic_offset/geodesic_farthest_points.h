@@ -90,19 +90,20 @@ auto geodesic_farthest_points(const Mesh& mesh, std::size_t n, OutputIterator ou
   std::size_t next_id = start.size() == 0 ? 0 : start.sources().rbegin()->first + 1;
   internal::Build_series<Surface> series(data);
   series.build(internal::classified_sources(data, start), {});
-  const auto& distance = series.last().field.distance;
+  const auto& field = series.last().field;
+  const auto distance = [&](internal::Index v) { return field.distance[internal::nearest_copy(data.unfolded(), field, v)]; };
   // Distances only decrease, so the top is a farthest vertex when its distance is up to date.
   std::priority_queue<std::pair<Number, internal::Index>> heap;
   for (const auto v : vertices(surface.tm))
     if (halfedge(v, surface.tm) != Surface::Graph_traits::null_halfedge())
-      heap.emplace(distance[surface.index_of(v)], surface.index_of(v));
+      heap.emplace(distance(surface.index_of(v)), surface.index_of(v));
   for (std::size_t i = 0;; ++i)
   {
-    while (!heap.empty() && distance[heap.top().second] < heap.top().first)
+    while (!heap.empty() && distance(heap.top().second) < heap.top().first)
     {
       const internal::Index v = heap.top().second;
       heap.pop();
-      heap.emplace(distance[v], v);
+      heap.emplace(distance(v), v);
     }
     if (heap.empty() || i == n || !(radius < heap.top().first) || (request.goes_on && !request.goes_on(double(i) / double(n))))
       break;

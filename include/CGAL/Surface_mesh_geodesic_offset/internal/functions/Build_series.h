@@ -99,7 +99,8 @@ public:
     : m_mesh(mesh), m_targets(std::move(targets))
   {
     for (std::size_t k = 0; k < m_targets.size(); ++k)
-      if (m_targets[k].kind == Surface_point<Number>::VERTEX) m_at_vertices.emplace_back(m_targets[k].element, k);
+      if (m_targets[k].kind == Surface_point<Number>::VERTEX)
+        mesh.unfolded().for_each_copy(m_targets[k].element, [&](Index v) { m_at_vertices.emplace_back(v, k); });
       else m_elsewhere.push_back(k);
     std::sort(m_at_vertices.begin(), m_at_vertices.end());
   }
@@ -179,10 +180,16 @@ private:
   template <class Build>
   void fill(const Build& build, std::size_t first, Row& row) const
   {
+    const FT infinity = Surface::exported(Number_policy<Number>::infinity());
     const auto set = [&](std::size_t k, const Number& d) {
       if (k < first || d > build.maximum || !Number_policy<Number>::is_finite(d)) return;
-      row.distances[k] = Surface::exported(d);
-      row.reached.push_back(k);
+      const FT distance = Surface::exported(d);
+      if (row.distances[k] < infinity) row.distances[k] = (std::min)(row.distances[k], distance); // another sector at a barrier
+      else
+      {
+        row.distances[k] = distance;
+        row.reached.push_back(k);
+      }
     };
     const auto& marks = build.field.marks;
     if (marks.are_listed && marks.vertices.size() < m_at_vertices.size())
@@ -199,7 +206,7 @@ private:
 
   const Geodesic_mesh_data<Surface>& m_mesh;
   const std::vector<Located_point<Number>> m_targets;
-  std::vector<std::pair<Index, std::size_t>> m_at_vertices; // vertices and targets there, sorted
+  std::vector<std::pair<Index, std::size_t>> m_at_vertices; // vertices, copies included, and targets there, sorted
   std::vector<std::size_t> m_elsewhere;                     // targets that are no vertices
 };
 
