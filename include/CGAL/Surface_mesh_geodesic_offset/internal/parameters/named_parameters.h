@@ -71,8 +71,8 @@ typedef Parameter_tags<internal_np::geodesic_chord_tolerance_t, internal_np::edg
 typedef Parameter_tags<internal_np::geodesic_chord_tolerance_t, internal_np::edge_is_constrained_t, internal_np::vertex_point_t,
                        internal_np::visitor_t, internal_np::geodesic_face_source_t>
   Voronoi_splitting_parameters;
-
-typedef Parameter_tags<internal_np::edge_is_constrained_t, internal_np::vertex_point_t, internal_np::visitor_t>
+typedef Parameter_tags<internal_np::edge_is_constrained_t, internal_np::output_iterator_t, internal_np::vertex_point_t,
+                       internal_np::visitor_t>
   Polyline_splitting_parameters;
 
 // True if all parameters of a sequence are in a list of tags; false for a type that is no sequence of parameters.
