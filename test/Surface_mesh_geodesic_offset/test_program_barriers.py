@@ -58,6 +58,11 @@ def test_walls(bench):
     # a source on a barrier starts on both sides, and a source that crosses one goes around it
     stats = bench.run(mesh, "--barrier", curve, "--source-polyline", curve, "--distance", 0.5)
     check_close(stats["curves"][0]["length"], 2 * 7.6 + math.pi, 1e-11, "the wall as source")
+    across = write_curves(bench, "across.polylines.txt", plane, [(4, 6), (8, 6)])
+    bench.run(mesh, "--barrier", curve, "--source-polyline", across, "--source-output", bench.path("source.polylines.txt"),
+              warning="the path on the surface has length 8.41")
+    check_close(chain_length(read_polylines(bench.path("source.polylines.txt"))[0]), around_wall((4, 6), (8, 6), *wall), 1e-11,
+                "a source polyline around the wall")
 
 
 def test_cut_off(bench):
