@@ -155,6 +155,29 @@ def test_touching(bench):
         check(abs(distance - math.dist(p, (3, 3))) < 1e-12 if is_inside else math.isinf(distance), "distance at %g, %g" % p)
 
 
+def test_pinched(bench):
+    """A cone that touches the plane at its tip is inside of the region around the tip, and paths lead through the tip."""
+    mesh = bench.path("cone.off")
+    points = [(i, j, 0.3) for j in range(13) for i in range(13)]
+    cells = [13 * j + i for j in range(12) for i in range(12)]
+    faces = [f for a in cells for f in ((a, a + 1, a + 14), (a, a + 14, a + 13))]
+    tip, rim = 13 * 5 + 4, [(5, 5), (4, 6), (3, 5), (4, 4)]
+    first = len(points)
+    points += [(x, y, 1.3) for x, y in rim]
+    write_off(mesh, points, faces + [(tip, first + (k + 1) % 4, first + k) for k in range(4)])
+    pocket = write_curves(bench, "pocket.polylines.txt", HORIZONTAL, rectangle(1.5, 1.5, 8.2, 8.2))
+    result = bench.start(mesh, "--region", pocket, "--source-point", "7,7.5,0.3", "--field", bench.path("field.csv"))
+    check(result.returncode == 0 and "1 vertex is shared by fans" in result.stderr, result.stderr)
+    with open(bench.path("field.csv")) as file:
+        rows = [[float(x) for x in row] for row in list(csv.reader(file))[1:]]
+    for x, y, z, distance in rows[-4:]:
+        check_close(distance, math.dist((7, 7.5), (4, 5)) + math.sqrt(2), 1e-12, "the rim of the cone at %g, %g" % (x, y))
+    # beyond the region, it is left out
+    result = bench.start(mesh, "--region", write_curves(bench, "other.polylines.txt", HORIZONTAL, rectangle(6.5, 6.5, 8.2, 8.2)),
+                         "--source-point", "7,7.5,0.3", "--field", bench.path("field.csv"))
+    check(all(math.isinf(d) for _, d in read_field(bench, HORIZONTAL)[-4:]), "the cone beyond the region")
+
+
 def test_picture(bench):
     """Black lines of barriers, and the background where faces are removed."""
     png_reader = vtk_readers("vtkIOImage.vtkPNGReader")
@@ -185,4 +208,4 @@ def test_picture(bench):
 
 
 run_test(walls=test_walls, cut_off=test_cut_off, sharp=test_sharp, regions=test_regions, touching=test_touching,
-         picture=test_picture)
+         pinched=test_pinched, picture=test_picture)

@@ -59,6 +59,8 @@ class Region_parts
     bool is_inside = false; // of roots
   };
 
+  using Neighbours = std::vector<std::vector<std::pair<std::size_t, Edge>>>; // by component, with an edge in between
+
   const Mesh& m_mesh;
   std::vector<std::pair<Edge, std::size_t>> m_passes; // with the number of the polyline, sorted
   std::vector<std::size_t> m_component; // by face
@@ -123,9 +125,29 @@ private:
     }
   }
 
+  // Fans of faces that share a vertex away from the polylines: on the same sides of all. No polyline passes the null edge.
+  void join_at_vertices(Neighbours& neighbours) const
+  {
+    std::vector<bool> is_on_polyline(m_mesh.number_of_vertices(), false);
+    for(const auto& pass : m_passes)
+      is_on_polyline[m_mesh.vertex(pass.first, 0)] = is_on_polyline[m_mesh.vertex(pass.first, 1)] = true;
+    std::vector<std::size_t> component_at(m_mesh.number_of_vertices(), none);
+    for(Halfedge h : m_mesh.halfedges())
+    {
+      const Vertex v = m_mesh.target(h);
+      if(m_mesh.is_border(h) || is_on_polyline[v]) continue;
+      const std::size_t a = component_at[v], b = m_component[m_mesh.face(h)];
+      component_at[v] = b;
+      if(a == none || a == b) continue;
+      neighbours[a].emplace_back(b, Edge());
+      neighbours[b].emplace_back(a, Edge());
+    }
+  }
+
   void join_components()
   {
-    std::vector<std::vector<std::pair<std::size_t, Edge>>> neighbours(m_components.size());
+    Neighbours neighbours(m_components.size());
+    join_at_vertices(neighbours);
     for(const auto& pass : m_passes)
     {
       const Edge e = pass.first;

@@ -20,6 +20,7 @@
 #include <boost/range/value_type.hpp>
 
 #include <cstddef>
+#include <type_traits>
 #include <utility>
 
 namespace CGAL {
@@ -101,6 +102,16 @@ void split_along_polylines(TriangleMesh& tm, const Polylines& polylines,
   auto out = parameters::choose_parameter(parameters::get_parameter(np, internal_np::output_iterator), Emptyset_iterator());
   splitting.for_each_edge([&](std::size_t polyline, const auto& h) { *out++ = std::make_pair(polyline, h); });
 }
+
+#ifndef DOXYGEN_RUNNING
+// A constant or temporary mesh
+template <class TriangleMesh, class Polylines, class NamedParameters = parameters::Default_named_parameters>
+void split_along_polylines(const TriangleMesh&, const Polylines&, const NamedParameters& = parameters::default_values())
+{
+  static_assert(!std::is_same<TriangleMesh, TriangleMesh>::value,
+                "split_along_polylines() splits the mesh in place, which must not be const or temporary: split a copy");
+}
+#endif
 
 } // namespace CGAL
 
