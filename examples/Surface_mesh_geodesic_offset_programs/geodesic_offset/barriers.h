@@ -225,6 +225,22 @@ inline std::vector<bool> left_insides(const Sources& regions, Geodesic& geodesic
   return result;
 }
 
+// Those of the smallest angle of --barrier-sharp-edges.
+inline std::vector<Edge> sharp_edges(const Options& options, const Geodesic_mesh& mesh)
+{
+  std::vector<Edge> result;
+  for(const double degrees : options.barriers.barrier_sharp_edges)
+  {
+    std::vector<Edge> edges;
+    mesh.sharp_edges(degrees, std::back_inserter(edges));
+    if(edges.empty())
+      throw Input_error("--barrier-sharp-edges " + short_number(degrees) + ": " + quoted(options.mesh) +
+                        " has no edge with a larger angle");
+    if(edges.size() > result.size()) result = std::move(edges);
+  }
+  return result;
+}
+
 inline double length_of(const Mesh& mesh, const std::vector<bool>& edges)
 {
   double length = 0;
@@ -243,16 +259,7 @@ inline void add_barriers(Mesh_input& input, const Options& options, Progress& pr
   const Sources barriers = located_polylines(input, options, options.barriers.barriers, geodesic.mesh(), "barrier", progress);
   const Sources regions = located_polylines(input, options, options.barriers.regions, geodesic.mesh(), "region", progress);
   const std::vector<bool> is_left_inside = left_insides(regions, geodesic, progress);
-  std::vector<Edge> sharp;
-  for(const double degrees : options.barriers.barrier_sharp_edges)
-  {
-    const std::size_t before = sharp.size();
-    geodesic.mesh().sharp_edges(degrees, std::back_inserter(sharp));
-    if(sharp.size() == before)
-      throw Input_error("--barrier-sharp-edges " + short_number(degrees) + ": " + quoted(options.mesh) +
-                        " has no edge with a larger angle");
-  }
-
+  const std::vector<Edge> sharp = sharp_edges(options, geodesic.mesh());
   std::vector<Surface_polyline> polylines = regions.surface_polylines();
   const std::size_t number_of_regions = polylines.size();
   polylines.insert(polylines.end(), barriers.surface_polylines().begin(), barriers.surface_polylines().end());
@@ -280,7 +287,6 @@ inline void add_barriers(Mesh_input& input, const Options& options, Progress& pr
   });
   progress.line("mesh: " + counted(divided_faces, "face") + " divided along curves");
   if(options.barriers.regions.empty()) return;
-
   edges.erase(std::remove_if(edges.begin(), edges.end(), [&](const auto& e) { return e.first >= number_of_regions; }),
               edges.end());
   const std::vector<bool> is_kept = Region_parts(input.mesh(), edges, is_left_inside).faces_inside();
