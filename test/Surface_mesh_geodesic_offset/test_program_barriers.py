@@ -3,10 +3,11 @@
 """Barriers and regions of the program, against closed forms in a plane."""
 
 import csv
+import json
 import math
 
-from program_bench import (HORIZONTAL, TILTED, chain_length, check, check_close, cube, polyline_text, read_polylines, run_test,
-                           vtk_readers, write_off)
+from program_bench import (HORIZONTAL, TILTED, chain_length, check, check_close, cube, polyline_text, read_ply, read_polylines,
+                           run_test, sphere, torus, vtk_readers, write_off)
 
 
 def rectangle(a, b, c, d):
@@ -178,6 +179,32 @@ def test_pinched(bench):
     check(all(math.isinf(d) for _, d in read_field(bench, HORIZONTAL)[-4:]), "the cone beyond the region")
 
 
+def area_of(ply):
+    points = [tuple(v[c] for c in "xyz") for v in ply["vertex"][1]]
+    area = 0
+    for face in ply["face"][1]:
+        p, q, r = (points[i] for i in face["vertex_indices"])
+        u, v = [b - a for a, b in zip(p, q)], [b - a for a, b in zip(p, r)]
+        area += math.hypot(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]) / 2
+    return area
+
+
+def test_curved(bench):
+    """Sections of closed surfaces: the kept faces have the area that is inside, and the offset the length of that of the section."""
+    for name, (points, faces), plane in (("sphere.off", sphere(3), "0.2,0.3,1,-0.4"), ("torus.off", torus(24, 12), "1,0.1,0,-1.1")):
+        mesh, curve = bench.path(name), bench.path("section.polylines.txt")
+        write_off(bench.path(name), points, faces)
+        bench.run(mesh, "--source-plane", plane, "--source-output", curve)
+        check(len(read_polylines(curve)) == 1, "one curve")
+        inside = bench.run(mesh, "--source-polyline", curve + ":inside", "--distance", 0.1)
+        result = bench.start(mesh, "--region", curve, "--source-boundary", "--distance", 0.1, "--split", bench.path("split.ply"),
+                             "--stats", bench.path("stats.json"))
+        check(result.returncode == 0 and not result.stderr, result.stderr)
+        check_close(area_of(read_ply(bench.path("split.ply"))), inside["insides"][0]["area"], 1e-9, "the area of the region")
+        with open(bench.path("stats.json")) as file:
+            check_close(json.load(file)["curves"][0]["length"], inside["curves"][0]["length"], 1e-9, "the offset in the region")
+
+
 def test_picture(bench):
     """Black lines of barriers, and the background where faces are removed."""
     png_reader = vtk_readers("vtkIOImage.vtkPNGReader")
@@ -208,4 +235,4 @@ def test_picture(bench):
 
 
 run_test(walls=test_walls, cut_off=test_cut_off, sharp=test_sharp, regions=test_regions, touching=test_touching,
-         pinched=test_pinched, picture=test_picture)
+         pinched=test_pinched, curved=test_curved, picture=test_picture)
