@@ -116,6 +116,7 @@ void refused(const Mesh& mesh, Geodesic& geodesic, std::vector<Geodesic::Offset_
 #include <CGAL/Surface_mesh_geodesic_offset/Surface_mesh_geodesic_enclosure.h>
 #include <CGAL/Surface_mesh_geodesic_offset/split_along_geodesic_voronoi_diagram.h>
 #include <CGAL/Surface_mesh_geodesic_offset/split_along_offset_curves.h>
+#include <CGAL/Surface_mesh_geodesic_offset/split_along_polylines.h>
 
 #include <vector>
 
@@ -140,6 +141,7 @@ void refused(Mesh& mesh, const Mesh& constant, Geodesic& geodesic, Enclosure& en
   // a mesh that cannot be split
   CGAL::split_along_offset_curves(constant, std::vector<Geodesic::Offset_curve>());
   CGAL::split_along_geodesic_voronoi_diagram(constant, geodesic.field().voronoi_diagram());
+  CGAL::split_along_polylines(constant, std::vector<Geodesic::Mesh::Polyline>());
   // a point in space instead of a location
   geodesic.add_source_point(point);
   geodesic.add_source_points(points);

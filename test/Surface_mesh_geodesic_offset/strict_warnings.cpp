@@ -19,6 +19,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/shortest_path_to_sources.h>
 #include <CGAL/Surface_mesh_geodesic_offset/split_along_geodesic_voronoi_diagram.h>
 #include <CGAL/Surface_mesh_geodesic_offset/split_along_offset_curves.h>
+#include <CGAL/Surface_mesh_geodesic_offset/split_along_polylines.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/window_checks.h>
 
 #if defined(__GNUC__)

@@ -6,6 +6,7 @@
 
 #include "generated_meshes.h"
 #include "path_tools.h"
+#include "query_cases.h"
 #include "test_check.h"
 
 #include <CGAL/Surface_mesh_geodesic_offset/Surface_mesh_geodesic_enclosure.h>
@@ -44,7 +45,7 @@ std::map<Edge, std::vector<std::size_t>> triangles_of_edges(const Soup& soup)
 }
 
 // Walks along edges: slits, corners, junctions and loops. Some start at the border.
-Barrier_edges random_barriers(const Soup& soup, Random& random)
+Barrier_edges random_barriers(const Soup& soup, Random& random, std::size_t most_steps = 9)
 {
   std::map<std::size_t, std::vector<std::size_t>> neighbours;
   for (const auto& e : triangles_of_edges(soup))
@@ -56,7 +57,7 @@ Barrier_edges random_barriers(const Soup& soup, Random& random)
   for (std::size_t walks = 1 + uniform_index(random, 5); walks > 0; --walks)
   {
     std::size_t v = uniform_index(random, soup.points.size());
-    for (std::size_t steps = 1 + uniform_index(random, 9); steps > 0 && neighbours.count(v); --steps)
+    for (std::size_t steps = 1 + uniform_index(random, most_steps); steps > 0 && neighbours.count(v); --steps)
     {
       const auto& next = neighbours[v];
       const std::size_t w = next[uniform_index(random, next.size())];
@@ -361,6 +362,101 @@ void cut_open()
   }
 }
 
+// The curves between the cells of sources.
+template <class Diagram>
+double bisector_length(const Diagram& diagram)
+{
+  double sum = 0;
+  for (const auto& curve : diagram.curves())
+  {
+    std::vector<Point_3> points;
+    curve.points(1e-6, std::back_inserter(points));
+    for (std::size_t i = 1; i < points.size(); ++i) sum += test::distance(points[i - 1], points[i]);
+  }
+  return sum;
+}
+
+// Voronoi diagrams of points in faces, which are one source each on both meshes. Returns the length of the curves.
+double compare_diagrams(const Two_meshes& meshes, Random& random)
+{
+  Geodesic with_barriers = meshes.with_barriers(), cut_open(meshes.cut_data.mesh), without(meshes.whole_data.mesh);
+  for (std::size_t i = 0; i < 5; ++i)
+  {
+    const Place p = random_place(meshes.soup, random, 0);
+    with_barriers.add_source_point(location(meshes.whole_data, meshes.soup, p));
+    without.add_source_point(location(meshes.whole_data, meshes.soup, p));
+    cut_open.add_source_point(location(meshes.cut_data, meshes.cut.soup, p));
+  }
+  for (Geodesic* g : {&with_barriers, &cut_open, &without}) g->build(CGAL::parameters::keep_windows(true));
+  const double a = bisector_length(with_barriers.field().voronoi_diagram()),
+               b = bisector_length(cut_open.field().voronoi_diagram()), c = bisector_length(without.field().voronoi_diagram());
+  CHECK_DETAIL(std::abs(a - b) <= 1e-8 * (10 + b), values(a, b));
+  return std::abs(a - c);
+}
+
+void diagrams()
+{
+  double difference = 0;
+  for (unsigned seed = 1; seed <= 60; ++seed)
+  {
+    Random random(seed);
+    Report::instance().set_context("diagrams, seed " + std::to_string(seed));
+    const Soup soup = seed % 3 == 0 ? icosphere(2) : seed % 3 == 1 ? with_noise(planar_grid(7, 7), 0.05, seed) : torus(10, 7);
+    const Barrier_edges barriers = longer_ones(soup, random_barriers(soup, random));
+    if (!barriers.empty()) difference += compare_diagrams(Two_meshes(soup, barriers), random);
+  }
+  CHECK(difference > 10); // barriers count
+}
+
+// Scaled to a diagonal of 10.
+Soup soup_of(const Surface_mesh& mesh)
+{
+  CGAL::Bbox_3 box;
+  for (const Vertex_index v : vertices(mesh)) box += mesh.point(v).bbox();
+  const double scale = 10 / std::hypot(box.x_span(), box.y_span(), box.z_span());
+  Soup soup;
+  std::map<Vertex_index, std::size_t> number;
+  for (const auto f : faces(mesh))
+  {
+    std::array<std::size_t, 3> corners;
+    std::size_t k = 0;
+    for (const Vertex_index v : CGAL::vertices_around_face(halfedge(f, mesh), mesh))
+    {
+      const auto known = number.emplace(v, soup.points.size());
+      if (known.second) soup.points.push_back(CGAL::ORIGIN + scale * (mesh.point(v) - CGAL::ORIGIN));
+      corners[k++] = known.first->second;
+    }
+    soup.add_triangle(corners);
+  }
+  return soup;
+}
+
+// Barriers on meshes of the data directory.
+void data_meshes()
+{
+  const std::size_t most_meshes = 20, most_faces = 3000;
+  std::size_t used = 0;
+  for_each_data_mesh(data_mesh_names(), most_faces, [&](const std::string& name, const Surface_mesh& mesh) {
+    if (used == most_meshes || faces(mesh).size() < 200) return;
+    const Soup soup = soup_of(mesh);
+    if (Cut_soup(soup, {}).soup.points.size() != soup.points.size()) return; // paths pass through pinched vertices
+    ++used;
+    for (unsigned seed = 1; seed <= 3; ++seed)
+    {
+      Report::instance().set_context(name + ", seed " + std::to_string(seed));
+      Random random(seed);
+      const Two_meshes meshes(soup, longer_ones(soup, random_barriers(soup, random, 60)));
+      CHECK(!meshes.barriers.empty());
+      Comparison comparison(meshes, random);
+      comparison.add_point(random_place(soup, random, uniform_index(random, 3)));
+      if (seed == 2) comparison.add_polyline();
+      comparison.compare();
+      compare_diagrams(meshes, random);
+    }
+  });
+  if (!data_mesh_names().empty()) CHECK_DETAIL(used == most_meshes, std::to_string(used));
+}
+
 // A shortest path between points of a plate, by the visibility graph: nodes are the sectors of the ends of barrier edges.
 class Visibility
 {
@@ -545,6 +641,27 @@ void plates()
   }
 }
 
+// The halfedges of each open polyline lead from its first point to its last one, and have the length of all in sum.
+void check_chains(const Surface_mesh& mesh, const std::vector<std::pair<std::size_t, Surface_mesh::Halfedge_index>>& edges,
+                  std::size_t polylines, double length)
+{
+  double sum = 0;
+  std::vector<std::map<Vertex_index, int>> leaving(polylines);
+  for (const auto& e : edges)
+  {
+    sum += test::distance(mesh.point(mesh.source(e.second)), mesh.point(mesh.target(e.second)));
+    ++leaving[e.first][mesh.source(e.second)];
+    --leaving[e.first][mesh.target(e.second)];
+  }
+  CHECK_DETAIL(std::abs(sum - length) <= 1e-12 * length, values(sum, length));
+  for (const auto& at : leaving)
+  {
+    const auto is_end = [](const auto& v) { return v.second != 0; };
+    const auto ends = std::count_if(at.begin(), at.end(), is_end);
+    CHECK(ends == 2 || ends == 0); // none if the polyline returns
+  }
+}
+
 // Slits anywhere on a plate: the mesh is split along them first.
 void slits_in_faces()
 {
@@ -576,11 +693,15 @@ void slits_in_faces()
         polylines.push_back(geodesic.locate_polyline(points, CGAL::parameters::is_closed(false)));
       }
     }
-    double length = 0;
+    double length = 0; // of all slits, also of parts that they have in common
     for (const auto& s : slits) length += std::hypot(s.first.x - s.second.x, s.first.y - s.second.y);
     auto is_barrier = data.mesh.add_property_map<Surface_mesh::Edge_index, bool>("e:barrier", false).first;
-    CGAL::split_along_polylines(data.mesh, polylines, CGAL::parameters::edge_is_constrained_map(is_barrier));
+    std::vector<std::pair<std::size_t, Surface_mesh::Halfedge_index>> of_polylines;
+    CGAL::split_along_polylines(
+      data.mesh, polylines,
+      CGAL::parameters::edge_is_constrained_map(is_barrier).output_iterator(std::back_inserter(of_polylines)));
     CHECK(CGAL::is_valid_polygon_mesh(data.mesh) && CGAL::is_triangle_mesh(data.mesh));
+    check_chains(data.mesh, of_polylines, polylines.size(), length);
     double sum = 0;
     for (const auto e : data.mesh.edges())
       if (is_barrier[e])
@@ -668,9 +789,9 @@ void wall()
 
 GEODESIC_OFFSET_TEST(test_barriers)
 {
-  const std::pair<const char*, void (*)()> tests[] = {{"cut open", test_barriers::cut_open},
-                                                      {"plates", test_barriers::plates},
-                                                      {"slits in faces", test_barriers::slits_in_faces},
-                                                      {"wall", test_barriers::wall}};
+  const std::pair<const char*, void (*)()> tests[] = {
+    {"cut open", test_barriers::cut_open}, {"diagrams", test_barriers::diagrams},
+    {"plates", test_barriers::plates},     {"slits in faces", test_barriers::slits_in_faces},
+    {"wall", test_barriers::wall},         {data_case, test_barriers::data_meshes}};
   return run_tests("test_barriers", tests);
 }

@@ -19,6 +19,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/shortest_path_to_sources.h>
 #include <CGAL/Surface_mesh_geodesic_offset/split_along_geodesic_voronoi_diagram.h>
 #include <CGAL/Surface_mesh_geodesic_offset/split_along_offset_curves.h>
+#include <CGAL/Surface_mesh_geodesic_offset/split_along_polylines.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel_with_sqrt.h>
@@ -98,6 +99,7 @@ void use_functions(const Mesh& mesh)
   Mesh split = mesh;
   CGAL::split_along_offset_curves(split, curves,
                                   parameters::chord_tolerance(0.1).visitor(CGAL::Default_offset_splitting_visitor<Mesh>()));
+  CGAL::split_along_polylines(split, std::vector<typename CGAL::Geodesic_mesh_type<Mesh>::Polyline>());
 }
 
 template <class Mesh>

@@ -4,8 +4,8 @@
 /*!
 \ingroup PkgSurfaceMeshGeodesicOffsetConcepts
 
-\brief The concept `OffsetSplittingVisitor` describes the functions that `CGAL::split_along_offset_curves()` calls while it
-changes the mesh, for example to copy the attributes of a face to the faces into which it is split.
+\brief The concept `OffsetSplittingVisitor` describes the functions that `CGAL::split_along_offset_curves()` and
+`CGAL::split_along_polylines()` call while they change the mesh, for example to copy the attributes of a face to the faces into which it is split.
 
 First all edges with new vertices are split, then faces. The names are those of the concept `PMPCorefinementVisitor`. The
 functions must neither change the mesh nor throw. The visitor is copied; it refers to data that are to remain.

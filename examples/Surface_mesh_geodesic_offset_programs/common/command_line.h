@@ -98,6 +98,19 @@ inline std::vector<std::size_t> indices(const po::variables_map& map, const char
   return result;
 }
 
+// Angles between the normals of faces, in degrees.
+inline std::vector<double> angles(const po::variables_map& map, const char* name)
+{
+  std::vector<double> result;
+  for(const std::string& w : option_words(map, name))
+  {
+    result.emplace_back();
+    if(!parse_number(w, result.back()) || result.back() < 0 || result.back() >= 180)
+      throw Usage_error("--" + std::string(name) + " must be an angle in degrees from 0 to less than 180, not " + quoted(w));
+  }
+  return result;
+}
+
 // Parses the options of the description, and words without an option as "mesh".
 inline po::variables_map parsed_command_line(int argc, const char* const* argv, const po::options_description& description)
 {

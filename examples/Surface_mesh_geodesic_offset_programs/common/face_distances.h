@@ -7,6 +7,7 @@
 #define GEODESIC_OFFSET_FACE_DISTANCES_H
 
 #include "common.h"
+#include "mesh_input.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +20,7 @@ namespace geodesic_offset {
 // weights w_i and edges no longer than h, has an error of at most h / sqrt(3): the error is at most the sum of w_i |p -
 // c_i|, whose square is at most the sum of w_i |p - c_i|^2, which equals the sum of w_i w_j |c_i - c_j|^2 over the three
 // pairs, and the sum of w_i w_j is at most 1/3. If this error is less than a colour step, distances are interpolated. In
-// faces with longer edges they are computed from the kept windows.
+// faces with longer edges they are computed from the kept windows, as in faces at barriers: a vertex there has several distances.
 class Face_distances
 {
   static constexpr double color_steps = 255; // in the largest distance: the resolution of an image channel
@@ -28,24 +29,24 @@ class Face_distances
   const Geodesic& m_geodesic;
   double m_largest;
   std::vector<double> m_at_vertices;
-  std::vector<bool> m_is_long; // by face; empty: none
+  std::vector<bool> m_is_exact; // by face: with distances from the kept windows; empty: none
 
 public:
   // Uses the last build. `largest`: the largest distance of the surface.
-  Face_distances(const Mesh& mesh, const Geodesic& geodesic, double largest)
-    : m_mesh(mesh), m_geodesic(geodesic), m_largest(largest), m_at_vertices(mesh.number_of_vertices())
+  Face_distances(const Mesh_input& input, const Geodesic& geodesic, double largest)
+    : m_mesh(input.mesh()), m_geodesic(geodesic), m_largest(largest), m_at_vertices(m_mesh.number_of_vertices())
   {
-    for(Vertex v : mesh.vertices()) m_at_vertices[v] = geodesic.distance_to_sources(v);
-    find_long_faces();
+    for(Vertex v : m_mesh.vertices()) m_at_vertices[v] = geodesic.distance_to_sources(v);
+    find_exact_faces(input);
   }
 
   double largest() const { return m_largest; }
 
   // Whether distances in some faces need kept windows.
-  bool need_windows() const { return !m_is_long.empty(); }
+  bool need_windows() const { return !m_is_exact.empty(); }
 
   // Switches to interpolation in all faces.
-  void interpolate_everywhere() { m_is_long.clear(); }
+  void interpolate_everywhere() { m_is_exact.clear(); }
 
   // u and v: barycentric coordinates of the second and the third corner. Infinite for unknown distances.
   double operator()(Face f, double u, double v) const
@@ -53,7 +54,7 @@ public:
     u = std::max(u, 0.0);
     v = std::max(v, 0.0);
     const double t = std::max(1 - u - v, 0.0);
-    if(!m_is_long.empty() && m_is_long[f]) return m_geodesic.distance_to_sources(Face_location(f, {t, u, v}));
+    if(!m_is_exact.empty() && m_is_exact[f]) return m_geodesic.distance_to_sources(Face_location(f, {t, u, v}));
     const Halfedge h = m_mesh.halfedge(f);
     const double a = m_at_vertices[m_mesh.source(h)], b = m_at_vertices[m_mesh.target(h)],
                  c = m_at_vertices[m_mesh.target(m_mesh.next(h))];
@@ -61,16 +62,20 @@ public:
   }
 
 private:
-  void find_long_faces()
+  void find_exact_faces(const Mesh_input& input)
   {
     const double longest = std::sqrt(3.0) * m_largest / color_steps;
-    std::vector<bool> is_long(m_mesh.number_of_faces(), false);
-    bool has_long = false;
+    std::vector<bool> is_exact(m_mesh.number_of_faces(), false), is_on_barrier(m_mesh.number_of_vertices(), false);
+    bool has_exact = false;
+    for(Edge e : m_mesh.edges())
+      if(input.has_barriers() && get(input.barriers(), e))
+        is_on_barrier[m_mesh.vertex(e, 0)] = is_on_barrier[m_mesh.vertex(e, 1)] = true;
     for(Face f : m_mesh.faces())
       for(Halfedge h : m_mesh.halfedges_around_face(m_mesh.halfedge(f)))
-        if(CGAL::squared_distance(m_mesh.point(m_mesh.source(h)), m_mesh.point(m_mesh.target(h))) > longest * longest)
-          is_long[f] = has_long = true;
-    if(has_long) m_is_long = std::move(is_long);
+        if(is_on_barrier[m_mesh.target(h)] ||
+           CGAL::squared_distance(m_mesh.point(m_mesh.source(h)), m_mesh.point(m_mesh.target(h))) > longest * longest)
+          is_exact[f] = has_exact = true;
+    if(has_exact) m_is_exact = std::move(is_exact);
   }
 };
 

@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <numeric>
 #include <optional>
 #include <set>
@@ -51,6 +52,113 @@ bool Mesh_input::has_coinciding_border_edges() const
   return Border_stitching(points, std::move(border_edges), 0, nullptr).is_needed();
 }
 
+Mesh_input::Kept_corners Mesh_input::kept_corners(const std::vector<bool>& is_kept) const
+{
+  constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+  const auto has_face = [&](Halfedge h) { return !m_mesh.is_border(h) && is_kept[m_mesh.face(h)]; };
+  std::vector<std::uint32_t> fan_at(m_mesh.number_of_halfedges(), none);
+  std::vector<std::uint32_t> unbounded(m_mesh.number_of_vertices(), none); // fans without removed faces beside them
+  std::vector<std::pair<Vertex, std::uint32_t>> fans;
+  for(Halfedge first : m_mesh.halfedges())
+  {
+    if(!has_face(first) || fan_at[first] != none) continue;
+    const Vertex v = m_mesh.target(first);
+    std::vector<Halfedge> corners{first};
+    bool is_bounded = false;
+    const auto turn = [&](const auto& beside, const auto& next) {
+      for(Halfedge h = first;;)
+      {
+        const Halfedge beyond = m_mesh.opposite(beside(h));
+        if(!has_face(beyond)) is_bounded = is_bounded || !m_mesh.is_border(beyond);
+        if(!has_face(beyond) || next(beyond) == first) return has_face(beyond);
+        corners.push_back(h = next(beyond));
+      }
+    };
+    const bool is_closed = turn([&](Halfedge h) { return m_mesh.next(h); }, [](Halfedge h) { return h; });
+    if(!is_closed) turn([](Halfedge h) { return h; }, [&](Halfedge h) { return m_mesh.prev(h); });
+    std::uint32_t fan = static_cast<std::uint32_t>(fans.size());
+    if(!is_bounded && unbounded[v] != none)
+      fan = unbounded[v];
+    else
+      fans.emplace_back(v, fan);
+    if(!is_bounded) unbounded[v] = fan;
+    for(Halfedge h : corners) fan_at[h] = fan;
+  }
+  std::sort(fans.begin(), fans.end()); // vertices keep their order
+  std::vector<std::uint32_t> number_of(fans.size());
+  Kept_corners result;
+  for(const auto& [v, fan] : fans)
+  {
+    number_of[fan] = static_cast<std::uint32_t>(result.vertices.size());
+    result.vertices.push_back(v);
+  }
+  for(std::uint32_t fan : fan_at) result.number_at.push_back(fan == none ? none : number_of[fan]);
+  return result;
+}
+
+void Mesh_input::keep_faces(const std::vector<bool>& is_kept)
+{
+  const Kept_corners corners = kept_corners(is_kept);
+  std::vector<Face> faces;
+  std::vector<Polygon> polygons; // the first halfedge of a face remains the first
+  for(Face f : m_mesh.faces())
+  {
+    if(!is_kept[f]) continue;
+    faces.push_back(f);
+    polygons.emplace_back();
+    for(Halfedge h : m_mesh.halfedges_around_face(m_mesh.halfedge(f))) polygons.back().push_back(corners.number_at[h]);
+  }
+  Mesh mesh;
+  std::vector<Vertex> at;
+  for(Vertex v : corners.vertices) at.push_back(mesh.add_vertex(m_mesh.point(v)));
+  Polygon_links(polygons, at.size()).link(mesh, polygons, at);
+
+  std::vector<bool> is_barrier(has_barriers() ? mesh.number_of_edges() : 0, false);
+  for(std::size_t i = 0; i < faces.size() && has_barriers(); ++i)
+  {
+    Halfedge h = m_mesh.halfedge(faces[i]);
+    for(Halfedge g : mesh.halfedges_around_face(mesh.halfedge(Face(static_cast<Mesh::size_type>(i)))))
+    {
+      is_barrier[mesh.edge(g)] = m_is_barrier[m_mesh.edge(h)] && !mesh.is_border(mesh.edge(g));
+      h = m_mesh.next(h);
+    }
+  }
+  std::vector<std::pair<std::size_t, Vertex>> of_file;
+  for(std::size_t i = 0; i < m_first_vertex.size(); ++i)
+    for_each_vertex_of(i, [&](Vertex v) {
+      const auto [first, last] = std::equal_range(corners.vertices.begin(), corners.vertices.end(), v);
+      for(auto it = first; it != last; ++it)
+        of_file.emplace_back(i, at[static_cast<std::size_t>(it - corners.vertices.begin())]);
+    });
+  m_first_vertex.assign(m_first_vertex.size(), Mesh::null_vertex());
+  m_further_vertices.clear();
+  for(const auto& [i, v] : of_file)
+    if(has_vertex(i))
+      m_further_vertices.emplace(i, v);
+    else
+      m_first_vertex[i] = v;
+  m_mesh = std::move(mesh);
+  m_is_barrier = std::move(is_barrier);
+  m_is_region = true;
+  drop_missing_barriers();
+  m_parts = Surface_parts(m_mesh);
+  m_box = CGAL::Bbox_3();
+  for(Vertex v : m_mesh.vertices()) m_box += m_mesh.point(v).bbox();
+  set_diagonal();
+}
+
+void Mesh_input::drop_missing_barriers()
+{
+  if(std::find(m_is_barrier.begin(), m_is_barrier.end(), true) == m_is_barrier.end()) m_is_barrier.clear();
+}
+
+void Mesh_input::set_diagonal()
+{
+  double square = 0;
+  for(int c = 0; c < 3; ++c) square += (m_box.max(c) - m_box.min(c)) * (m_box.max(c) - m_box.min(c));
+  m_diagonal = std::sqrt(square);
+}
+
 void Mesh_input::require_memory_for_faces(const std::string& path) const
 {
   // Soup, mesh and unfolded mesh, without windows: measured 320 bytes on a grid with 2 million faces. The limit is lower,
@@ -66,9 +174,7 @@ void Mesh_input::measure(const std::string& path, double tolerance)
 {
   for(const Polygon& polygon : m_soup.polygons)
     for(std::uint32_t v : polygon) m_box += m_soup.points[v].bbox();
-  double square = 0;
-  for(int c = 0; c < 3; ++c) square += (m_box.max(c) - m_box.min(c)) * (m_box.max(c) - m_box.min(c));
-  m_diagonal = std::sqrt(square);
+  set_diagonal();
   // squares of lengths, and products of two of these, must be within the range of double
   if(!(m_diagonal < 1e70) || (m_diagonal > 0 && m_diagonal < 1e-70))
     throw Input_error(quoted(path) + ": the coordinates are too " + (m_diagonal > 1 ? "large" : "small"));

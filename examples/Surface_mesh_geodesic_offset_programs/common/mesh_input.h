@@ -19,6 +19,8 @@
 
 #include <CGAL/Bbox_3.h>
 
+#include <boost/property_map/property_map.hpp>
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -28,6 +30,19 @@
 #include <vector>
 
 namespace geodesic_offset {
+
+// Whether no path crosses an edge.
+struct Barrier_map
+{
+  using key_type = Edge;
+  using value_type = bool;
+  using reference = bool;
+  using category = boost::readable_property_map_tag;
+
+  const std::vector<bool>* is_barrier; // by edge
+
+  friend bool get(const Barrier_map& map, Edge e) { return (*map.is_barrier)[e]; }
+};
 
 // The mesh, with its relation to the file.
 class Mesh_input
@@ -39,6 +54,8 @@ class Mesh_input
   CGAL::Bbox_3 m_box;
   double m_diagonal = 0;
   Surface_parts m_parts;
+  std::vector<bool> m_is_barrier; // by edge; empty: none is
+  bool m_is_region = false; // whether faces were removed
 
   // Vertices of the mesh at a vertex of the file: none if no face uses it, several at a cut.
   std::vector<Vertex> m_first_vertex;
@@ -94,6 +111,27 @@ public:
   // One line on a condition that changes the meaning of distances; empty if there is none.
   const std::string& warning() const { return m_warning; }
 
+  bool has_barriers() const { return !m_is_barrier.empty(); }
+
+  // Precondition: has_barriers().
+  Barrier_map barriers() const { return {&m_is_barrier}; }
+
+  // Whether the mesh is only a part of the surface.
+  bool is_region() const { return m_is_region; }
+
+  // Calls f(mesh), which may split edges and faces, and returns whether each edge is a barrier. New vertices are at none of the file.
+  template <class Function>
+  void split(const Function& f)
+  {
+    m_is_barrier = f(m_mesh);
+    m_parts = Surface_parts(m_mesh);
+    drop_missing_barriers();
+  }
+
+  // Removes all other faces and the vertices without faces. Where only a vertex connects faces that are kept, each fan of them
+  // that a removed face bounds has a vertex of its own: no path passes there. Precondition: a face is kept.
+  void keep_faces(const std::vector<bool>& is_kept);
+
   // Whether the mesh has a vertex at a vertex of the file: a face with an area has it.
   bool has_vertex(std::size_t file_vertex) const { return m_first_vertex[file_vertex] != Mesh::null_vertex(); }
 
@@ -109,6 +147,20 @@ public:
   }
 
 private:
+  // Numbers of the vertices at the targets of the halfedges after keep_faces(), and the present vertex of each number.
+  struct Kept_corners
+  {
+    std::vector<std::uint32_t> number_at;
+    std::vector<Vertex> vertices;
+  };
+
+  Kept_corners kept_corners(const std::vector<bool>& is_kept) const;
+
+  // An empty list costs nothing: no map is passed to the solver.
+  void drop_missing_barriers();
+
+  void set_diagonal(); // from the box
+
   using Vertex_pairs = std::vector<std::pair<Vertex, Vertex>>;
 
   // Called before the mesh is built.

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Picture of the mesh coloured by distance, with sources, offsets and paths.
+// Picture of the mesh coloured by distance, with sources, barriers, offsets and paths.
 
 #ifndef GEODESIC_OFFSET_PICTURE_H
 #define GEODESIC_OFFSET_PICTURE_H
@@ -52,6 +52,7 @@ class Picture
   static constexpr double legend_width = 170; // including its distance from the mesh
   static constexpr double offset_radius = 1.0;
   static constexpr double path_radius = 1.7;
+  static constexpr double barrier_radius = 2.2;
   static constexpr double source_radius = 2.7;
   static constexpr double point_radius = 7;
   static constexpr double halo = 1.3;
@@ -71,7 +72,7 @@ class Picture
 
   std::vector<View_point> m_points;
   std::vector<Corner_normals> m_normals;
-  std::vector<std::vector<View_point>> m_offsets, m_paths, m_sources;
+  std::vector<std::vector<View_point>> m_offsets, m_barriers, m_paths, m_sources;
   std::vector<View_point> m_source_points;
 
 public:
@@ -95,6 +96,7 @@ public:
   double chord_tolerance() const { return 0.05 / m_scale; }
 
   void add_offset(const Polyline& polyline) { m_offsets.push_back(place(polyline)); }
+  void add_barrier(const Polyline& polyline) { m_barriers.push_back(place(polyline)); }
   void add_path(const Polyline& polyline) { m_paths.push_back(place(polyline)); }
   void add_source(const Polyline& polyline) { m_sources.push_back(place(polyline)); }
   void add_source(const Point& point) { m_source_points.push_back(place(point)); }
@@ -109,12 +111,13 @@ public:
     image.bytes.reserve(3 * static_cast<std::size_t>(m_size.width) * static_cast<std::size_t>(m_height));
     const Srgb_encoder encode;
     const auto shade = [this](std::uint32_t thing, float u, float v) { return color_of(thing, u, v); };
-    // none, outline of the surface, offset, white margin of paths and sources, path, source, text
+    // none, outline of the surface, offset, white margin of lines, barrier, path, source, text
     const std::array<Marking, number_of_marks> markings = {
       {{Color(), 0},
        {srgb(40, 44, 58), 0.75f},
        {srgb(24, 22, 40), 0.8f},
        {srgb(255, 255, 255), 1},
+       {srgb(0, 0, 0), 1},
        {srgb(24, 60, 190), 1},
        {srgb(226, 24, 54), 1},
        {ink(), 1}}};
@@ -289,6 +292,11 @@ private:
           raster.line(line[i], line[i + 1], radius, mark, bias(radius), slope);
     };
     for(const std::vector<View_point>& line : m_offsets) draw(line, offset_radius, Mark::offset);
+    for(const std::vector<View_point>& line : m_barriers)
+    {
+      draw(line, barrier_radius + halo, Mark::halo);
+      draw(line, barrier_radius, Mark::barrier);
+    }
     for(const std::vector<View_point>& line : m_paths)
     {
       draw(line, path_radius + halo, Mark::halo);

@@ -21,8 +21,8 @@
 namespace geodesic_offset {
 
 // Marks on top of the surface; larger values cover smaller ones.
-enum class Mark : std::uint8_t { none, outline, offset, halo, path, source, ink };
-constexpr std::size_t number_of_marks = 7;
+enum class Mark : std::uint8_t { none, outline, offset, halo, barrier, path, source, ink };
+constexpr std::size_t number_of_marks = 8;
 
 struct Marking
 {

@@ -123,13 +123,7 @@ inline void read_source_options(const po::variables_map& map, Source_options& op
     if(plane[0] == 0 && plane[1] == 0 && plane[2] == 0)
       throw Usage_error("--source-plane " + quoted(w) + " is not a plane: its normal is zero");
   }
-  for(const std::string& w : option_words(map, "source-sharp-edges"))
-  {
-    double degrees = 0;
-    if(!parse_number(w, degrees) || degrees < 0 || degrees >= 180)
-      throw Usage_error("--source-sharp-edges must be an angle in degrees from 0 to less than 180, not " + quoted(w));
-    options.source_sharp_edges.push_back(degrees);
-  }
+  options.source_sharp_edges = angles(map, "source-sharp-edges");
   options.source_boundary = map["source-boundary"].as<bool>();
   options.section_near = optional_point(map, "section-near");
   if(options.section_near && options.source_planes.empty()) throw Usage_error("--section-near needs --source-plane");
@@ -140,7 +134,8 @@ inline void read_source_options(const po::variables_map& map, Source_options& op
     throw Usage_error("--sharp-edges-near needs --source-sharp-edges");
   options.projection = direction(map, "project");
   options.close_gap = optional_positive_number(map, "close-gap").value_or(0);
-  if(options.close_gap > 0 && options.source_polylines.empty()) throw Usage_error("--close-gap needs --source-polyline");
+  if(options.close_gap > 0 && options.source_polylines.empty() && map.count("barrier") == 0 && map.count("region") == 0)
+    throw Usage_error("--close-gap needs --source-polyline");
   for(const std::string& w : option_words(map, "start-value"))
   {
     const std::size_t comma = w.find(',');

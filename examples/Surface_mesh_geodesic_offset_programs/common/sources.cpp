@@ -167,7 +167,8 @@ std::vector<Vertex> vertices_at(const Mesh_input& input, std::size_t i, const st
   std::vector<Vertex> vertices;
   input.for_each_vertex_of(i, [&](Vertex v) { vertices.push_back(v); });
   if(vertices.empty())
-    throw Input_error(option + ' ' + std::to_string(i) + ": no face of " + quoted(mesh_file) + " has this vertex");
+    throw Input_error(option + ' ' + std::to_string(i) + ": no face of " + quoted(mesh_file) +
+                      (input.is_region() ? " inside of --region has this vertex" : " has this vertex"));
   return vertices;
 }
 
@@ -281,7 +282,8 @@ void Sources::add_polyline(const File_polyline& from, const std::string& file, c
     catch(const std::invalid_argument&)
     {
       throw Input_error(line + ": there is no path on the surface from " + name(i - 1) + " to " + name(i) +
-                        ": they are on different parts of the surface");
+                        ": they are on different parts of the surface" +
+                        (m_input.has_barriers() ? ", or barriers separate them" : ""));
     }
   }
   if(const std::string detour = detours.warning(); !detour.empty()) m_warnings.push_back(line + ": " + detour);

@@ -12,6 +12,7 @@
 #include "common/program_main.h"
 #include "common/sources.h"
 #include "common/version.h"
+#include "barriers.h"
 #include "drawing.h"
 #include "level_files.h"
 #include "levels.h"
@@ -36,16 +37,21 @@
 namespace geodesic_offset {
 namespace {
 
-Mesh_input load(const Options& options, Run_figures& figures, Progress& progress)
+void describe(const Mesh_input& input, Run_figures& figures)
 {
-  const Stopwatch time;
-  progress.show("reading " + quoted(options.mesh));
-  Mesh_input input(options.mesh, options.borders);
   figures.vertices = input.mesh().number_of_vertices();
   figures.faces = input.mesh().number_of_faces();
   figures.parts = input.parts().number();
   figures.border_cycles = input.parts().number_of_border_cycles();
   figures.bounding_box = input.bounding_box();
+}
+
+Mesh_input load(const Options& options, Run_figures& figures, Progress& progress)
+{
+  const Stopwatch time;
+  progress.show("reading " + quoted(options.mesh));
+  Mesh_input input(options.mesh, options.borders);
+  describe(input, figures);
   figures.load_seconds = time.seconds();
   progress.line("mesh: " + counted(figures.vertices, "vertex", "vertices") + ", " + counted(figures.faces, "face"),
                 figures.load_seconds);
@@ -57,15 +63,15 @@ Mesh_input load(const Options& options, Run_figures& figures, Progress& progress
                 ", bounding box from " + corner(&CGAL::Bbox_3::min) + " to " + corner(&CGAL::Bbox_3::max));
   for(const std::string& remark : input.remarks()) progress.line("mesh: " + remark);
   if(!input.warning().empty()) progress.warning(input.warning());
+  if(options.barriers.have_effect())
+  {
+    progress.show("barriers");
+    add_barriers(input, options, progress);
+    describe(input, figures);
+  }
   check_length("tolerance", options.tolerance, input.bounding_box_diagonal());
   check_length("point-spacing", options.point_spacing, input.bounding_box_diagonal());
   return input;
-}
-
-void report(const Moved_points& moved, const Mesh_input& input, const std::string& kind, Progress& progress)
-{
-  if(const std::string remark = moved.remark(); !remark.empty()) progress.line(kind + ": " + remark);
-  if(const std::string far = moved.warning(input.bounding_box_diagonal()); !far.empty()) progress.warning(far);
 }
 
 Sources find_sources(const Mesh_input& input, const Options& options, Geodesic& geodesic, Progress& progress)
@@ -114,12 +120,26 @@ Levels plan_levels(const Mesh_input& input, const Sources& sources, Geodesic& ge
     });
     return geodesic.largest_distance().value();
   };
-  Levels levels(
-    options, input.bounding_box_diagonal(), [&] { return bound_of_reach(input.mesh(), sources); }, exact_reach);
+  const auto bound = [&] { // paths along edges may pass through barriers
+    return input.has_barriers() ? exact_reach() : bound_of_reach(input.mesh(), sources);
+  };
+  Levels levels(options, input.bounding_box_diagonal(), bound, exact_reach);
   if(!levels.empty())
     progress.line("offsets: at " + std::string(levels.is_open_ended() ? "no more than " : "") +
                   counted(levels.size(), "distance"));
   return levels;
+}
+
+// Vertices without a path to a source although their part of the surface has one.
+void report_cut_off(const Mesh_input& input, const File_field& field, const Run_figures& figures, Progress& progress)
+{
+  const std::vector<double>& distances = field.columns[0].values;
+  std::size_t unreached = 0;
+  for(std::size_t i = 0; i < distances.size(); ++i) unreached += input.has_vertex(i) && !(distances[i] < infinity) ? 1 : 0;
+  const std::size_t n = unreached - figures.unreached_vertices;
+  if(n != 0)
+    progress.warning("barriers cut off " + counted(n, "vertex", "vertices") +
+                     " from all sources: " + (n == 1 ? "its distance is" : "their distances are") + " infinite");
 }
 
 Solution solve(const Mesh_input& input, const Sources& sources, const Levels& levels, Geodesic& geodesic,
@@ -144,6 +164,7 @@ Solution solve(const Mesh_input& input, const Sources& sources, const Levels& le
                   " at distance " + full_number(figures.largest_distance));
   }
 
+  if(input.has_barriers() && !(figures.covered_distance < infinity)) report_cut_off(input, field, figures, progress);
   const bool is_complete = figures.largest_distance < figures.covered_distance;
   progress.line("distances: " + std::string(is_complete ? "up to " : "computed up to ") +
                   short_number(figures.largest_distance) + ", " + counted(geodesic.statistics().windows_propagated, "window") +
@@ -176,7 +197,10 @@ void run(const Options& options)
   progress.show("sources");
   std::optional<Geodesic> object;
   with_concurrency_tag(options.threads, [&](auto tag) {
-    object.emplace(input.mesh(), CGAL::parameters::concurrency_tag(tag));
+    if(input.has_barriers())
+      object.emplace(input.mesh(), CGAL::parameters::edge_is_constrained_map(input.barriers()).concurrency_tag(tag));
+    else
+      object.emplace(input.mesh(), CGAL::parameters::concurrency_tag(tag));
   });
   Geodesic& geodesic = *object;
   const Sources sources = find_sources(input, options, geodesic, progress);

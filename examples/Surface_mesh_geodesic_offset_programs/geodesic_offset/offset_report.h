@@ -22,6 +22,13 @@
 
 namespace geodesic_offset {
 
+// The largest distance by which points were moved, and a warning if it is large.
+inline void report(const Moved_points& moved, const Mesh_input& input, const std::string& kind, Progress& progress)
+{
+  if(const std::string remark = moved.remark(); !remark.empty()) progress.line(kind + ": " + remark);
+  if(const std::string far = moved.warning(input.bounding_box_diagonal()); !far.empty()) progress.warning(far);
+}
+
 // Warning about --side if no source has sides; otherwise empty.
 inline std::string useless_side(const Options& options, const Sources& sources)
 {
@@ -29,24 +36,21 @@ inline std::string useless_side(const Options& options, const Sources& sources)
   return "--side " + options.side + " has no effect: only polylines and sections have sides, and there are none";
 }
 
-// The inner sides of the polylines that are offset inside or outside, by source id; for each a line, and a warning if it is in doubt.
-// Throws Input_error that names the first polyline without inside.
-inline std::map<std::size_t, CGAL::Geodesic_inner_side> find_insides(const Options& options, const Sources& sources,
-                                                                     const Geodesic& geodesic, Progress& progress)
+// Throws Input_error that names the polyline.
+inline void require_closed(const Sources& sources, std::size_t polyline)
+{
+  if(!sources.surface_polylines()[polyline].is_closed)
+    throw Input_error(sources.name_of_polyline(polyline) + ": an open polyline has no inside");
+}
+
+// The inner sides of closed polylines, by source id; for each a line, and a warning if it is in doubt. `all`: the inner sides of the
+// sources; `advice`: end of a warning. Throws Input_error that names the first polyline without inside.
+inline std::map<std::size_t, CGAL::Geodesic_inner_side> report_insides(
+  const Sources& sources, const std::vector<std::size_t>& needed, const std::map<std::size_t, CGAL::Geodesic_inner_side>& all,
+  const std::string& advice, Progress& progress)
 {
   constexpr std::size_t most_lines = 20; // per kind; more would hide the other lines
   std::map<std::size_t, CGAL::Geodesic_inner_side> result;
-  std::vector<std::size_t> needed;
-  for(const auto& [id, side] : sources.sides(options.selected_side))
-    if(side == CGAL::Offset_side::INSIDE || side == CGAL::Offset_side::OUTSIDE)
-    {
-      const std::size_t i = id - sources.first_polyline();
-      if(!sources.surface_polylines()[i].is_closed)
-        throw Input_error(sources.name_of_polyline(i) + ": an open polyline has no inside");
-      needed.push_back(id);
-    }
-  if(needed.empty()) return result;
-  const std::map<std::size_t, CGAL::Geodesic_inner_side> all = geodesic.inner_sides();
   std::size_t left = 0, doubtful = 0;
   for(const std::size_t id : needed)
   {
@@ -71,13 +75,28 @@ inline std::map<std::size_t, CGAL::Geodesic_inner_side> find_insides(const Optio
                        (!inner.has_border  ? "both sides have about the same area"
                         : inner.is_by_area ? "both sides have border of the surface, of holes or around it"
                                            : "the curve is along a border, and there is another one on its only side") +
-                       " (" + areas + "); --side left and --side right are certain");
+                       " (" + areas + ')' + advice);
   }
   if(needed.size() > most_lines)
     progress.line("sources: inside = left for " + counted(left, "polyline") + ", right for " +
                   std::to_string(result.size() - left));
   if(doubtful > most_lines) progress.warning(counted(doubtful, "polyline") + " in all whose inside is in doubt");
   return result;
+}
+
+// The inner sides of the polylines that are offset inside or outside, as above.
+inline std::map<std::size_t, CGAL::Geodesic_inner_side> find_insides(const Options& options, const Sources& sources,
+                                                                     const Geodesic& geodesic, Progress& progress)
+{
+  std::vector<std::size_t> needed;
+  for(const auto& [id, side] : sources.sides(options.selected_side))
+    if(side == CGAL::Offset_side::INSIDE || side == CGAL::Offset_side::OUTSIDE)
+    {
+      require_closed(sources, id - sources.first_polyline());
+      needed.push_back(id);
+    }
+  if(needed.empty()) return {};
+  return report_insides(sources, needed, geodesic.inner_sides(), "; --side left and --side right are certain", progress);
 }
 
 namespace internal {

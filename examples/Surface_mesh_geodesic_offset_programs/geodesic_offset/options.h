@@ -27,13 +27,29 @@
 
 namespace geodesic_offset {
 
+struct Barrier_options
+{
+  std::vector<std::string> barriers, regions; // files of polylines
+  std::vector<double> barrier_sharp_edges; // in degrees
+
+  bool have_effect() const { return !barriers.empty() || !regions.empty() || !barrier_sharp_edges.empty(); }
+};
+
 struct Options : Source_options, Level_options, Query_options, Output_options
 {
+  Barrier_options barriers;
   std::optional<std::size_t> threads;
   Border_joining borders;
   bool quiet = false;
   bool help = false;
   bool version = false;
+
+  std::vector<std::string> files_read() const
+  {
+    std::vector<std::string> result = Source_options::files_read();
+    for(const auto* files : {&barriers.barriers, &barriers.regions}) result.insert(result.end(), files->begin(), files->end());
+    return result;
+  }
 
   std::vector<std::string> files_written() const
   {
@@ -62,6 +78,22 @@ struct Options : Source_options, Level_options, Query_options, Output_options
 
 namespace internal {
 
+inline po::options_description barrier_options_description()
+{
+  const auto words = [](const char* name) { return po::value<Words>()->value_name(name); };
+  po::options_description barriers("Barriers (repeatable)");
+  barriers.add_options()("barrier", words("FILE"), "no path crosses these polylines, put on the surface as those of sources")(
+    "barrier-sharp-edges", words("DEG"),
+    "no path crosses the edges where the normals of the two faces differ by more than DEG degrees")(
+    "region", words("FILE"), "only the part of the surface inside of an odd number of these closed polylines is kept");
+  return barriers;
+}
+
+inline Barrier_options barrier_options(const po::variables_map& map)
+{
+  return {option_words(map, "barrier"), option_words(map, "region"), angles(map, "barrier-sharp-edges")};
+}
+
 inline po::options_description options_description()
 {
   po::options_description all("geodesic_offset MESH [sources] [levels] [queries] [outputs]\n\n"
@@ -74,6 +106,7 @@ inline po::options_description options_description()
     "quiet", po::bool_switch(), "print only warnings and errors")("version", po::bool_switch(),
                                                                   "print the version")("help", po::bool_switch(), "print this");
   all.add(source_options_description())
+    .add(barrier_options_description())
     .add(level_options_description())
     .add(query_options_description())
     .add(output_options_description())
@@ -116,6 +149,7 @@ inline Options checked_options(const po::variables_map& map)
 {
   Options options;
   read_source_options(map, options);
+  options.barriers = barrier_options(map);
   read_level_options(map, options);
   read_polyline_sides(options);
   read_query_options(map, options);

@@ -48,13 +48,13 @@ void write_outputs(const Solution& solution, const Mesh_input& input, const Sour
   }
   if(!options.voronoi.empty())
     add_voronoi_files(files, options.voronoi, input.mesh(), geodesic, chord_tolerance(options, input), progress);
-  const std::vector<Surface_path> paths = queries.paths(geodesic, progress);
+  const std::vector<Surface_path> paths = queries.paths(input, geodesic, progress);
   for(const std::string& file : options.path_outputs)
     files.add(file, [&](std::ostream& out) { write_paths(out, file, paths); });
   if(!options.source_output.empty()) files.add(options.source_output, [&](std::ostream& out) { write_sources(out, sources); });
   if(!options.picture.empty())
   {
-    const Image image = picture_of(geodesic, input.mesh(), sources, options, curves, paths, figures.largest_distance, progress);
+    const Image image = picture_of(geodesic, input, sources, options, curves, paths, figures.largest_distance, progress);
     files.add(options.picture, [&](std::ostream& out) { write_png(out, image); });
   }
   if(!options.stats.empty())

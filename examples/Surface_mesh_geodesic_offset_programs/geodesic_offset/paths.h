@@ -63,7 +63,7 @@ public:
   const Moved_points& moved_points() const { return m_moved; }
 
   // Leaves out points that no path reaches, with a warning. From inside faces the last build must have kept windows.
-  std::vector<Surface_path> paths(const Geodesic& geodesic, Progress& progress) const
+  std::vector<Surface_path> paths(const Mesh_input& input, const Geodesic& geodesic, Progress& progress) const
   {
     std::vector<Surface_path> result;
     for(std::size_t i = 0; i < m_queries.size(); ++i)
@@ -77,8 +77,9 @@ public:
         }
         else
           progress.warning("no path for " + query.name +
-                           (geodesic.covered_distance() < infinity
-                              ? ": no distance was computed there"
+                           (geodesic.covered_distance() < infinity ? ": no distance was computed there"
+                            : input.has_barriers()
+                              ? ": barriers cut it off from the sources, or it is on another part of the surface"
                               : ": it is on another part of the surface than the sources"));
       };
       if(query.vertices.empty())

@@ -42,10 +42,10 @@ inline View view_of(const Options& options, const Mesh& mesh, const Sources& sou
 }
 
 // If some faces are too large for interpolation, builds again with kept windows unless the last build has them.
-inline Face_distances face_distances(Geodesic& geodesic, const Mesh& mesh, const Options& options, double largest,
+inline Face_distances face_distances(Geodesic& geodesic, const Mesh_input& input, const Options& options, double largest,
                                      Progress& progress)
 {
-  Face_distances distances(mesh, geodesic, largest);
+  Face_distances distances(input, geodesic, largest);
   if(!distances.need_windows() || options.needs_windows()) return distances;
   if(geodesic.statistics().windows_propagated > most_kept_windows)
   {
@@ -76,11 +76,12 @@ inline Face_distances face_distances(Geodesic& geodesic, const Mesh& mesh, const
 
 // `largest`: the largest distance of the surface. Precondition: the last build has all requested distances. May replace it
 // by another build with the same distances.
-inline Image picture_of(Geodesic& geodesic, const Mesh& mesh, const Sources& sources, const Options& options,
+inline Image picture_of(Geodesic& geodesic, const Mesh_input& input, const Sources& sources, const Options& options,
                         const std::vector<Offset_curve>& curves, const std::vector<Surface_path>& paths, double largest,
                         Progress& progress)
 {
-  const Face_distances distances = internal::face_distances(geodesic, mesh, options, largest, progress);
+  const Mesh& mesh = input.mesh();
+  const Face_distances distances = internal::face_distances(geodesic, input, options, largest, progress);
   Picture picture(mesh, distances, internal::view_of(options, mesh, sources));
   for(const Point& point : sources.points()) picture.add_source(point);
   for(const Polyline& polyline : sources.polylines()) picture.add_source(polyline);
@@ -91,6 +92,9 @@ inline Image picture_of(Geodesic& geodesic, const Mesh& mesh, const Sources& sou
     picture.add_offset(polyline);
   }
   for(const Surface_path& path : paths) picture.add_path(path.points);
+  for(Edge e : mesh.edges())
+    if(input.has_barriers() && get(input.barriers(), e))
+      picture.add_barrier({mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1))});
   return picture.render([&](double done) { progress.show("picture", done); });
 }
 

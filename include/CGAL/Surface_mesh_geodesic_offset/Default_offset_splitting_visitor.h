@@ -13,7 +13,7 @@ namespace CGAL {
 /*!
 \ingroup PkgSurfaceMeshGeodesicOffsetClasses
 
-\brief is a visitor whose functions do nothing: a base class for visitors of `split_along_offset_curves()`.
+\brief is a visitor whose functions do nothing: a base class for visitors of `split_along_offset_curves()` and `split_along_polylines()`.
 
 \cgalModels{OffsetSplittingVisitor}
 

@@ -164,6 +164,13 @@ public:
       \cgalParamDefault{the distances of the points}
       \cgalParamExtra{Functions that need points or normals throw `std::logic_error` then.}
     \cgalParamNEnd
+    \cgalParamNBegin{edge_is_constrained_map}
+      \cgalParamDescription{whether an edge is a barrier: no path crosses it, see Section
+                            \ref SurfaceMeshGeodesicOffsetUseBarriers "Barriers and Regions". The map is read by the constructor only.}
+      \cgalParamType{a model of `ReadablePropertyMap` with `edge_descriptor` as key and `bool` as value}
+      \cgalParamDefault{no edge is, which costs nothing}
+      \cgalParamExtra{Border edges may have either value. With barriers, the object has a second copy of the unfolded mesh.}
+    \cgalParamNEnd
     \cgalParamNBegin{geom_traits}
       \cgalParamDescription{the traits}
       \cgalParamType{`Traits`}

@@ -43,7 +43,7 @@ The time is that of `geodesic_distances()` with kept windows, and of `Geodesic_d
 \param np an optional sequence of named parameters among those listed below
 
 \cgalNamedParamsBegin
-  \cgalParamNBegin{vertex_point_map, geom_traits, edge_length_map, vertex_index_map, face_index_map}
+  \cgalParamNBegin{vertex_point_map, geom_traits, edge_length_map, edge_is_constrained_map, vertex_index_map, face_index_map}
     \cgalParamDescription{as in `Geodesic_mesh::Geodesic_mesh()`}
   \cgalParamNEnd
   \cgalParamNBegin{visitor, concurrency_tag, verbose}

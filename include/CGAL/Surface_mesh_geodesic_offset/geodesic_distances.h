@@ -38,7 +38,7 @@ sets it up once.
 \param np an optional sequence of named parameters among those listed below
 
 \cgalNamedParamsBegin
-  \cgalParamNBegin{vertex_point_map, geom_traits, edge_length_map, vertex_index_map, face_index_map}
+  \cgalParamNBegin{vertex_point_map, geom_traits, edge_length_map, edge_is_constrained_map, vertex_index_map, face_index_map}
     \cgalParamDescription{as in `Geodesic_mesh::Geodesic_mesh()`; `Geodesic_mesh_type` has the default of the traits}
   \cgalParamNEnd
   \cgalParamNBegin{distance_limit, targets, visitor, relative_tolerance, merging_tolerance, concurrency_tag, verbose}

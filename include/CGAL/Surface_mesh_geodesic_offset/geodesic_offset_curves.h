@@ -56,7 +56,7 @@ The time is that of setting up the mesh, linear in its size, and of
 \param np an optional sequence of named parameters among those listed below
 
 \cgalNamedParamsBegin
-  \cgalParamNBegin{vertex_point_map, geom_traits, edge_length_map, vertex_index_map, face_index_map}
+  \cgalParamNBegin{vertex_point_map, geom_traits, edge_length_map, edge_is_constrained_map, vertex_index_map, face_index_map}
     \cgalParamDescription{as in `Geodesic_mesh::Geodesic_mesh()`}
   \cgalParamNEnd
   \cgalParamNBegin{distance_limit, visitor, relative_tolerance, merging_tolerance, concurrency_tag, verbose}

@@ -37,7 +37,7 @@ stops once the distance of the point is final; otherwise the time is that of `ge
 \param np an optional sequence of named parameters among those listed below
 
 \cgalNamedParamsBegin
-  \cgalParamNBegin{vertex_point_map, geom_traits, edge_length_map, vertex_index_map, face_index_map}
+  \cgalParamNBegin{vertex_point_map, geom_traits, edge_length_map, edge_is_constrained_map, vertex_index_map, face_index_map}
     \cgalParamDescription{as in `Geodesic_mesh::Geodesic_mesh()`}
   \cgalParamNEnd
   \cgalParamNBegin{distance_limit, visitor, concurrency_tag, verbose}

@@ -13,12 +13,15 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/splitting/Surface_polyline.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/iterator.h>
 #include <CGAL/property_map.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/range/value_type.hpp>
 
+#include <cstddef>
 #include <type_traits>
+#include <utility>
 
 namespace CGAL {
 
@@ -48,6 +51,13 @@ points and crossings of polylines in each face.
     \cgalParamDescription{receives `true` for each edge on a polyline; other values are not written}
     \cgalParamType{a model of `WritablePropertyMap` with `edge_descriptor` as key and `bool` as value}
     \cgalParamDefault{none}
+  \cgalParamNEnd
+  \cgalParamNBegin{output_iterator}
+    \cgalParamDescription{receives a pair of the number of the polyline and a halfedge for each edge on a polyline, in the direction of
+                          the polyline, in no particular order; several times where polylines share edges}
+    \cgalParamType{a model of `OutputIterator` that accepts `std::pair<std::size_t, halfedge_descriptor>`}
+    \cgalParamDefault{`Emptyset_iterator`}
+    \cgalParamExtra{The iterator is copied.}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_point_map}
     \cgalParamDescription{the points of the vertices}
@@ -89,7 +99,19 @@ void split_along_polylines(TriangleMesh& tm, const Polylines& polylines,
   splitting.split(parameters::choose_parameter(parameters::get_parameter(np, internal_np::edge_is_constrained),
                                                Static_boolean_property_map<typename Graph_traits::edge_descriptor, false>()),
                   visitor, [](const auto&, std::size_t) {});
+  auto out = parameters::choose_parameter(parameters::get_parameter(np, internal_np::output_iterator), Emptyset_iterator());
+  splitting.for_each_edge([&](std::size_t polyline, const auto& h) { *out++ = std::make_pair(polyline, h); });
 }
+
+#ifndef DOXYGEN_RUNNING
+// A constant or temporary mesh
+template <class TriangleMesh, class Polylines, class NamedParameters = parameters::Default_named_parameters>
+void split_along_polylines(const TriangleMesh&, const Polylines&, const NamedParameters& = parameters::default_values())
+{
+  static_assert(!std::is_same<TriangleMesh, TriangleMesh>::value,
+                "split_along_polylines() splits the mesh in place, which must not be const or temporary: split a copy");
+}
+#endif
 
 } // namespace CGAL
 

@@ -34,11 +34,9 @@ template <class First, class Second>
 using Joined_tags = decltype(First::joined_with(Second()));
 
 typedef Parameter_tags<internal_np::vertex_point_t, internal_np::geom_traits_t, internal_np::vertex_index_t,
-                       internal_np::face_index_t, internal_np::concurrency_tag_t>
+                       internal_np::face_index_t, internal_np::concurrency_tag_t, internal_np::edge_is_constrained_t>
   Mesh_with_points_parameters;
-typedef Joined_tags<Mesh_with_points_parameters,
-                    Parameter_tags<internal_np::geodesic_edge_length_map_t, internal_np::edge_is_constrained_t>>
-  Mesh_parameters;
+typedef Joined_tags<Mesh_with_points_parameters, Parameter_tags<internal_np::geodesic_edge_length_map_t>> Mesh_parameters;
 typedef Parameter_tags<internal_np::point_t, internal_np::geom_traits_t> Polygon_soup_parameters;
 typedef Parameter_tags<internal_np::snapping_tolerance_t> Location_parameters;
 typedef Parameter_tags<internal_np::geodesic_is_closed_t, internal_np::geodesic_start_values_t> Joining_parameters;
@@ -87,8 +85,8 @@ typedef Parameter_tags<internal_np::geodesic_chord_tolerance_t, internal_np::edg
 typedef Parameter_tags<internal_np::geodesic_chord_tolerance_t, internal_np::edge_is_constrained_t, internal_np::vertex_point_t,
                        internal_np::visitor_t, internal_np::geodesic_face_source_t>
   Voronoi_splitting_parameters;
-
-typedef Parameter_tags<internal_np::edge_is_constrained_t, internal_np::vertex_point_t, internal_np::visitor_t>
+typedef Parameter_tags<internal_np::edge_is_constrained_t, internal_np::output_iterator_t, internal_np::vertex_point_t,
+                       internal_np::visitor_t>
   Polyline_splitting_parameters;
 
 // True if all parameters of a sequence are in a list of tags; false for a type that is no sequence of parameters.

@@ -149,6 +149,13 @@ public:
     for (const auto& f : m_uncrossed) put_source(f.first, f.second);
   }
 
+  // Calls f with the level of a curve and a halfedge in its direction, for each edge of each curve. To be called after split().
+  template <class Function>
+  void for_each_edge(const Function& f) const
+  {
+    for (const Curve_edge& e : m_edges) f(e.level, e.halfedge);
+  }
+
   // Writes the band of each face: the number of levels that do not exceed its distances. The band of a region follows from the
   // curves on its border. If there are none, or they contradict each other, as where the sides of a strip coincide in parts, it
   // follows from the mean of the smallest and the largest distance of its vertices; the largest may be a level whose curve is a
