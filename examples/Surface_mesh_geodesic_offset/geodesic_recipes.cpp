@@ -6,7 +6,9 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_geodesic_offset.h>
+#include <CGAL/Surface_mesh_geodesic_offset/geodesic_distance_matrix.h>
 #include <CGAL/Surface_mesh_geodesic_offset/geodesic_distances.h>
+#include <CGAL/Surface_mesh_geodesic_offset/split_along_polylines.h>
 #include <CGAL/boost/graph/generators.h>
 
 #include <boost/property_map/function_property_map.hpp>
@@ -143,6 +145,36 @@ void own_point_map(const Mesh& mesh)
   expect("own point map", largest, 10 * std::sqrt(2.) / 25.4);
 }
 
+void ribbon(Mesh mesh)
+{
+  //! [Ribbon]
+  const std::vector<Point> line = {Point(2, 10.2, 0), Point(18, 10.2, 0)};
+  const std::vector<double> starts = {4, 0};
+  CGAL::split_along_polylines(mesh, std::vector<Geodesic::Polyline>{Geodesic(mesh).locate_polyline(line)}); // edges of it
+  Geodesic geodesic(mesh);
+  geodesic.add_source_polyline(geodesic.locate_polyline(line, parameters::start_values(starts)));
+  std::vector<Geodesic::Offset_curve> curves;
+  geodesic.build_with_offset_curves({6.}, std::back_inserter(curves));
+  //! [Ribbon]
+  double widest = 0; // radius of the round end
+  for(const Geodesic::Offset_curve& c : curves)
+    for(const auto& piece : c.pieces())
+      if(piece.is_arc()) widest = (std::max)(widest, piece.radius());
+  expect("ribbon", widest, 6);
+}
+
+void matrix(const Mesh& mesh)
+{
+  //! [Matrix]
+  const std::vector<Vertex> all(mesh.vertices().begin(), mesh.vertices().end());
+  double diameter = 0;
+  CGAL::geodesic_distance_matrix(mesh, all, all, [&](std::size_t, const std::vector<double>& row) {
+    diameter = (std::max)(diameter, *std::max_element(row.begin(), row.end()));
+  });
+  //! [Matrix]
+  expect("matrix", diameter, 10 * std::sqrt(2.));
+}
+
 void which_source(const Mesh& mesh)
 {
   //! [Which]
@@ -168,5 +200,10 @@ int main()
   cancel(mesh);
   own_point_map(mesh);
   which_source(mesh);
+  matrix(mesh);
+  Mesh large;
+  CGAL::make_grid(
+    20, 20, large, [](std::size_t i, std::size_t j) { return Point(double(i), double(j), 0); }, true);
+  ribbon(large);
   return failures == 0 ? 0 : 1;
 }

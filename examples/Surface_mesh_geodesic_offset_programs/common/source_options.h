@@ -33,6 +33,7 @@ struct Source_options
   std::vector<std::array<double, 4>> source_planes;
   std::vector<double> source_sharp_edges;
   bool source_boundary = false;
+  bool have_start_values = false; // whether points of polylines may have a start value
   double close_gap = 0; // polylines with ends not farther apart are closed
   std::optional<std::array<double, 3>> projection; // direction in which points are put on the surface
   std::optional<std::array<double, 3>> boundary_near; // only the nearest boundary cycle

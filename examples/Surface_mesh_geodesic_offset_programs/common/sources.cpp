@@ -185,7 +185,7 @@ Sources::Sources(const Mesh_input& input, const Source_options& options, const G
       return "--source-point " + short_number(p[0]) + ',' + short_number(p[1]) + ',' + short_number(p[2]);
     }));
   for(std::size_t i = 0; i < options.source_polylines.size(); ++i)
-    for(const File_polyline& polyline : read_polylines(options.source_polylines[i]))
+    for(const File_polyline& polyline : read_polylines(options.source_polylines[i], false, options.have_start_values))
       add_polyline(polyline, options.source_polylines[i],
                    options.polyline_sides.empty() ? std::nullopt : options.polyline_sides[i], options);
   for(const std::array<double, 4>& plane : options.source_planes) add_plane(plane, options);
@@ -259,10 +259,16 @@ void Sources::add_polyline(const File_polyline& from, const std::string& file, c
   std::vector<Face_location> located = put_on_surface(
     m_geodesic, points, options, m_moved, [&](std::size_t i) { return line + ": " + name(i); },
     snapping_of_edge * m_geodesic.mean_edge_length());
+  std::vector<double> starts = from.start_values;
   if(polyline.is_closed)
   {
     points.push_back(points.front());
     located.push_back(located.front());
+    if(!starts.empty())
+    {
+      starts.resize(points.size());
+      starts.back() = starts.front();
+    }
   }
   Detours detours(points);
   for(std::size_t i = 0; i < points.size(); ++i)
@@ -270,12 +276,18 @@ void Sources::add_polyline(const File_polyline& from, const std::string& file, c
     if(polyline.locations.empty())
     {
       polyline.locations.push_back(located[i]);
+      if(!starts.empty()) polyline.start_values.push_back(starts[i]);
       continue;
     }
     try
     {
       const std::array<Face_location, 2> ends = {polyline.locations.back(), located[i]};
-      const Surface_polyline path = m_geodesic.join_polyline(ends);
+      const std::array<double, 2> starts_of_ends =
+        starts.empty() ? std::array<double, 2>{{0, 0}} : std::array<double, 2>{{starts[i - 1], starts[i]}};
+      const Surface_polyline path =
+        m_geodesic.join_polyline(ends, CGAL::parameters::is_closed(false).start_values(starts_of_ends));
+      if(!starts.empty())
+        polyline.start_values.insert(polyline.start_values.end(), path.start_values.begin() + 1, path.start_values.end());
       detours.add(i - 1, length_of(path), have_opposite_normals(m_mesh, ends[0].first, ends[1].first));
       polyline.locations.insert(polyline.locations.end(), path.locations.begin() + 1, path.locations.end());
     }
@@ -290,6 +302,7 @@ void Sources::add_polyline(const File_polyline& from, const std::string& file, c
   // in closed polylines the first location is not repeated
   if(polyline.is_closed && polyline.locations.size() > 1) polyline.locations.pop_back();
   if(polyline.locations.size() < 3) polyline.is_closed = false;
+  if(!starts.empty()) polyline.start_values.resize(polyline.locations.size());
   if(polyline.locations.size() == 1)
     m_points.push_back(polyline.locations.front());
   else
@@ -370,6 +383,10 @@ void Sources::set_start_values(const Source_options& options)
     if(source >= n)
       throw Input_error("--start-value " + std::to_string(source) + ',' + short_number(value) +
                         ": there are only the sources 0 to " + std::to_string(n - 1));
+    if(const std::size_t first = first_polyline();
+       source >= first && source - first < m_polylines.size() && !m_polylines[source - first].start_values.empty())
+      throw Input_error("--start-value " + std::to_string(source) + ',' + short_number(value) + ": " +
+                        m_polyline_names[source - first] + " has start values of its own");
     m_start_values[source] = value;
   }
 }

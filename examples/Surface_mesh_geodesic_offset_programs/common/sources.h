@@ -172,9 +172,19 @@ public:
   // Only polylines have sides.
   bool has_polylines() const { return !m_polylines.empty(); }
 
-  double smallest_start_value() const { return *std::min_element(m_start_values.begin(), m_start_values.end()); }
+  double smallest_start_value() const
+  {
+    double least = infinity;
+    for_each_start_value([&](double start) { least = std::min(least, start); });
+    return least;
+  }
 
-  double largest_start_value() const { return *std::max_element(m_start_values.begin(), m_start_values.end()); }
+  double largest_start_value() const
+  {
+    double largest = 0;
+    for_each_start_value([&](double start) { largest = std::max(largest, start); });
+    return largest;
+  }
 
   // Whether all sources are single points, away from the vertices of the mesh.
   bool are_points() const { return m_vertices.empty() && m_polylines.empty() && m_boundary_cycles.empty() && m_edges.empty(); }
@@ -231,6 +241,19 @@ public:
   std::vector<std::vector<Point>> polylines() const;
 
 private:
+  template <class Function>
+  void for_each_start_value(const Function& f) const
+  {
+    for(std::size_t i = 0; i < m_start_values.size(); ++i)
+    {
+      const std::size_t first = first_polyline();
+      const bool varies = i >= first && i - first < m_polylines.size() && !m_polylines[i - first].start_values.empty();
+      if(!varies) f(m_start_values[i]);
+    }
+    for(const Surface_polyline& polyline : m_polylines)
+      for(const double start : polyline.start_values) f(start);
+  }
+
   double length_of(const Surface_polyline& polyline) const;
 
   template <class Function>

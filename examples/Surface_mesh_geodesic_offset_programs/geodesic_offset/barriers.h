@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Barriers and regions of the command line: the mesh is split along their curves, and the faces outside of regions are removed.
+// Barriers and regions of the command line: the mesh is split along their curves, and the faces outside of regions are removed. It is
+// also split along source polylines with start values.
 
 #ifndef GEODESIC_OFFSET_BARRIERS_H
 #define GEODESIC_OFFSET_BARRIERS_H
@@ -205,6 +206,32 @@ inline Sources located_polylines(const Mesh_input& input, const Options& options
   return polylines;
 }
 
+// Whether a source polyline has start values.
+inline bool have_start_values(const Options& options)
+{
+  for(const std::string& file : options.source_polylines)
+    for(const File_polyline& polyline : read_polylines(file, false, true))
+      if(!polyline.start_values.empty()) return true;
+  return false;
+}
+
+// The source polylines with start values, located on the mesh. Messages on them come later, with the sources.
+inline std::vector<Surface_polyline> polylines_with_start_values(const Mesh_input& input, const Options& options,
+                                                                 const Geodesic_mesh& mesh)
+{
+  std::vector<Surface_polyline> result;
+  if(!have_start_values(options)) return result;
+  Source_options wanted;
+  wanted.mesh = options.mesh;
+  wanted.source_polylines = options.source_polylines;
+  wanted.have_start_values = true;
+  wanted.close_gap = options.close_gap;
+  wanted.projection = options.projection;
+  for(const Surface_polyline& p : Sources(input, wanted, mesh).surface_polylines())
+    if(!p.start_values.empty()) result.push_back(p);
+  return result;
+}
+
 // Whether the left side of each region's polyline is inside.
 inline std::vector<bool> left_insides(const Sources& regions, Geodesic& geodesic, Progress& progress)
 {
@@ -263,6 +290,8 @@ inline void add_barriers(Mesh_input& input, const Options& options, Progress& pr
   std::vector<Surface_polyline> polylines = regions.surface_polylines();
   const std::size_t number_of_regions = polylines.size();
   polylines.insert(polylines.end(), barriers.surface_polylines().begin(), barriers.surface_polylines().end());
+  const std::size_t number_of_curves = polylines.size();
+  for(const Surface_polyline& p : polylines_with_start_values(input, options, geodesic.mesh())) polylines.push_back(p);
   Polyline_edges edges;
   std::size_t divided_faces = 0;
   input.split([&](Mesh& mesh) {
@@ -273,16 +302,17 @@ inline void add_barriers(Mesh_input& input, const Options& options, Progress& pr
     visitor.divided_faces = &divided_faces;
     CGAL::split_along_polylines(mesh, polylines, CGAL::parameters::output_iterator(std::back_inserter(edges)).visitor(visitor));
     for(const auto& [polyline, h] : edges)
-      if(polyline >= number_of_regions) flags[mesh.edge(h)] = true;
+      if(polyline >= number_of_regions && polyline < number_of_curves) flags[mesh.edge(h)] = true;
     std::vector<bool> is_barrier;
     for(Edge e : mesh.edges()) is_barrier.push_back(flags[e] && !mesh.is_border(e));
     const double length = length_of(mesh, is_barrier);
-    if(options.barriers.regions.empty() || length > 0)
-      progress.line("barriers: " + counted(polylines.size() - number_of_regions, "polyline") + " and " +
+    if(options.barriers.have_effect() && (options.barriers.regions.empty() || length > 0))
+      progress.line("barriers: " + counted(number_of_curves - number_of_regions, "polyline") + " and " +
                     counted(sharp.size(), "sharp edge") + ", of length " + short_number(length));
     mesh.remove_property_map(flags);
     // with faces of regions on both sides, an edge remains as a barrier
-    for(const auto& [polyline, h] : edges) is_barrier[mesh.edge(h)] = !mesh.is_border(mesh.edge(h));
+    for(const auto& [polyline, h] : edges)
+      if(polyline < number_of_curves) is_barrier[mesh.edge(h)] = !mesh.is_border(mesh.edge(h));
     return is_barrier;
   });
   progress.line("mesh: " + counted(divided_faces, "face") + " divided along curves");

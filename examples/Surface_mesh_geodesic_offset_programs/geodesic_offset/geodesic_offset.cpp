@@ -63,7 +63,7 @@ Mesh_input load(const Options& options, Run_figures& figures, Progress& progress
                 ", bounding box from " + corner(&CGAL::Bbox_3::min) + " to " + corner(&CGAL::Bbox_3::max));
   for(const std::string& remark : input.remarks()) progress.line("mesh: " + remark);
   if(!input.warning().empty()) progress.warning(input.warning());
-  if(options.barriers.have_effect())
+  if(options.barriers.have_effect() || internal::have_start_values(options))
   {
     progress.show("barriers");
     add_barriers(input, options, progress);

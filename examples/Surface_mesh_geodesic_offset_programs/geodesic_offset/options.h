@@ -150,6 +150,7 @@ inline Options checked_options(const po::variables_map& map)
   Options options;
   read_source_options(map, options);
   options.barriers = barrier_options(map);
+  options.have_start_values = true;
   read_level_options(map, options);
   read_polyline_sides(options);
   read_query_options(map, options);
