@@ -7,7 +7,6 @@
 #define GEODESIC_OFFSET_FACE_DISTANCES_H
 
 #include "common.h"
-#include "mesh_input.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,11 +32,11 @@ class Face_distances
 
 public:
   // Uses the last build. `largest`: the largest distance of the surface.
-  Face_distances(const Mesh_input& input, const Geodesic& geodesic, double largest)
-    : m_mesh(input.mesh()), m_geodesic(geodesic), m_largest(largest), m_at_vertices(m_mesh.number_of_vertices())
+  Face_distances(const Mesh& mesh, const Geodesic& geodesic, double largest, const std::vector<Edge>& barriers = {})
+    : m_mesh(mesh), m_geodesic(geodesic), m_largest(largest), m_at_vertices(m_mesh.number_of_vertices())
   {
     for(Vertex v : m_mesh.vertices()) m_at_vertices[v] = geodesic.distance_to_sources(v);
-    find_exact_faces(input);
+    find_exact_faces(barriers);
   }
 
   double largest() const { return m_largest; }
@@ -62,14 +61,12 @@ public:
   }
 
 private:
-  void find_exact_faces(const Mesh_input& input)
+  void find_exact_faces(const std::vector<Edge>& barriers)
   {
     const double longest = std::sqrt(3.0) * m_largest / color_steps;
     std::vector<bool> is_exact(m_mesh.number_of_faces(), false), is_on_barrier(m_mesh.number_of_vertices(), false);
     bool has_exact = false;
-    for(Edge e : m_mesh.edges())
-      if(input.has_barriers() && get(input.barriers(), e))
-        is_on_barrier[m_mesh.vertex(e, 0)] = is_on_barrier[m_mesh.vertex(e, 1)] = true;
+    for(Edge e : barriers) is_on_barrier[m_mesh.vertex(e, 0)] = is_on_barrier[m_mesh.vertex(e, 1)] = true;
     for(Face f : m_mesh.faces())
       for(Halfedge h : m_mesh.halfedges_around_face(m_mesh.halfedge(f)))
         if(is_on_barrier[m_mesh.target(h)] ||

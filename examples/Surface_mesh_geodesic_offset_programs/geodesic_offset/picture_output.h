@@ -45,7 +45,10 @@ inline View view_of(const Options& options, const Mesh& mesh, const Sources& sou
 inline Face_distances face_distances(Geodesic& geodesic, const Mesh_input& input, const Options& options, double largest,
                                      Progress& progress)
 {
-  Face_distances distances(input, geodesic, largest);
+  std::vector<Edge> barriers;
+  for(Edge e : input.mesh().edges())
+    if(input.has_barriers() && get(input.barriers(), e)) barriers.push_back(e);
+  Face_distances distances(input.mesh(), geodesic, largest, barriers);
   if(!distances.need_windows() || options.needs_windows()) return distances;
   if(geodesic.statistics().windows_propagated > most_kept_windows)
   {
