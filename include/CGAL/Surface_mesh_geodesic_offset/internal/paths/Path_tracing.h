@@ -17,6 +17,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Strip_walk.h>
 
 #include <algorithm>
+#include <optional>
 
 namespace CGAL::Geodesic_offset::internal {
 
@@ -133,42 +134,31 @@ private:
     FT position = FT(0);
   };
 
+  typedef typename Path_goals<FT>::Goal Goal;
+
+  // Where a walk starts: both points are in the frame of the halfedge, whose face has `from`.
+  struct Entry
+  {
+    Index halfedge;
+    Point from, to, direction;
+    bool is_under_way = false; // not in the first face
+  };
+
   // `has_missed`: true for the second attempt, after the first one has missed the goal. `bypass`: null, or receives the start
   // that find_bypass() has found, if the path was traced from it.
   template <class Passed>
   End follow(const Path_start<FT>& start, Passed& passed, bool has_missed, Last_passed& last_passed,
              Path_start<FT>* bypass) const
   {
-    const auto goal = m_goals.of(start);
+    const Goal goal = m_goals.of(start);
     const FT reach = length(start.to - start.from);
-    Index h = start.halfedge;
-    Point from = start.from, to = start.to, direction = start.direction;
-    bool is_under_way = false;
-    passed.set_apart(0);
-    // Not for exact numbers, for which strips build long expressions.
     const bool has_virtual_start = m_goals.has_virtual_start(start);
-    if (Number_policy<FT>::is_inexact && !has_virtual_start && !has_missed && start.exit != -1 &&
-        !is_one_edge(exit_of(start), start.edge) && !m_goals.is_in_face(goal, m_mesh.face(h)))
-    {
-      Strip_walk<FT> strip(m_mesh, h, from, to, reach, start.exit);
-      const FT extent = m_mesh.longest_edge() + FT(1. / (1 << 15)) * start.length();
-      const FT ahead = m_goals.miss(reach, start, extent);
-      is_under_way = strip(FT(FT(2 * nearby) * extent), ahead, passed);
-      if (is_under_way)
-      {
-        passed.set_apart(passed.size());
-        if (goal.vertex != no_index && m_mesh.apex(strip.halfedge()) == goal.vertex &&
-            strip.way_to_apex() <= strip.way_left() + window_allowance<FT>(start.distance))
-          return m_goals.end_at_goal(goal, strip.halfedge(), strip.position(), strip.direction(), start);
-        h = strip.halfedge();
-        from = strip.position();
-        to = strip.goal();
-        direction = strip.direction();
-        last_passed = {no_index, h, from.x};
-      }
-    }
-    Straight_walk<FT> walk(m_mesh, h, from, to, direction);
-    int exit = is_under_way ? walk.exit() : start.exit == -1 ? walk.exit_from_inside() : start.exit;
+    Entry entry{start.halfedge, start.from, start.to, start.direction};
+    passed.set_apart(0);
+    if (!has_missed && !has_virtual_start)
+      if (const std::optional<End> end = walk_through_strip(start, goal, reach, passed, last_passed, entry)) return *end;
+    Straight_walk<FT> walk(m_mesh, entry.halfedge, entry.from, entry.to, entry.direction);
+    int exit = entry.is_under_way ? walk.exit() : start.exit == -1 ? walk.exit_from_inside() : start.exit;
     Detour detour;
     const auto end_at_goal = [&] {
       return m_goals.end_at_goal(goal, walk.halfedge(), walk.position(), walk.direction(), start);
@@ -179,12 +169,12 @@ private:
     // Longest edge of the crossed faces, which determines the rounding. The walk through the strip does not measure its faces;
     // the first face may be the largest.
     FT extent = walk.extent();
-    if (is_under_way)
+    if (entry.is_under_way)
       extent = (std::max)(extent, FT(m_mesh[start.halfedge].length + m_mesh[m_mesh.next(start.halfedge)].length));
     const Index limit = Index(m_mesh.number_of_halfedges());
     for (Index guard = 0; guard <= limit; ++guard)
     {
-      const bool is_first = guard == 0 && !is_under_way;
+      const bool is_first = guard == 0 && !entry.is_under_way;
       if (has_missed) look_for_detour(walk, is_first, start, reach, passed.size(), detour);
       FT last;
       if (m_goals.is_in_sight(goal, walk, is_first, last))
@@ -208,27 +198,11 @@ private:
       if (crossing.goal.y <= beside)
       {
         if (End end; goal.is_segment() && m_goals.ends_on_segment(walk, start, reach, extent, has_missed, end))
-        {
-          Point position;
-          unsigned edges;
-          if (has_missed && bypass != nullptr && CGAL::is_positive(length(walk.direction())) &&
-              position_in_face(m_mesh, end.point, walk.face(), position, edges))
-          {
-            const Face_frame<FT> frame(m_mesh, walk.face());
-            const int k = int(walk.halfedge() % 3);
-            const Point goal_there = frame.vector_to_halfedge(k, position - frame.corner(k));
-            const Path_start<FT> other = aimed_at(goal_there, start, walk.goal(), walk.direction());
-            const End other_end = follow_instead(other, passed, last_passed, bypass);
-            if (other_end.is_at_source()) return other_end;
-            return follow(start, passed, true, last_passed, nullptr);
-          }
-          return end;
-        }
+          return has_missed && bypass != nullptr ? aimed_end(end, walk, start, passed, last_passed, bypass) : end;
         if (crossing.goal.y < -beside) break;
         // The goal may lie before the edge, up to rounding; the crossing is next to the goal then.
         if (CGAL::is_negative(crossing.goal.y)) crossing.t = (std::max)(FT(0), (std::min)(crossing.goal.x, crossing.length));
       }
-      const Index beyond = walk.beyond(exit);
       // The corners that were not examined yet.
       if (is_first)
       {
@@ -238,26 +212,73 @@ private:
           if (passes(walk, k, exit, crossing, start, goal, has_missed)) return end_at_corner(k);
       }
       else if (passes(walk, 2, exit, crossing, start, goal, has_missed)) return end_at_corner(2);
-      if (beyond == no_index) break;
-      // A vertex at the crossing, which the path does not use as a new start.
-      const FT rounding = Number_policy<FT>::rounding(Path_goals<FT>::roundings_of_position) * crossing.length;
-      const Index v = crossing.t <= rounding ? walk.vertex((exit + 1) % 3)
-                    : crossing.t >= crossing.length - rounding
-                      ? walk.vertex(exit)
-                      : no_index;
-      if (is_one_edge(beyond, start.edge) && is_first)
+      if (walk.beyond(exit) == no_index) break;
+      if (is_first && is_one_edge(walk.beyond(exit), start.edge))
         last_passed = {}; // through rounding, the path crosses the edge on which it starts
-      else
-      {
-        if (v == no_index)
-          passed.push_back(passed.item({beyond, walk.vertex((exit + 1) % 3), walk.vertex(exit),
-                                        FT(crossing.t / crossing.length)}));
-        else if (v != last_passed.vertex) passed.push_back(passed.item({no_index, v, v, FT(0)}));
-        last_passed = {v, v == no_index ? beyond : no_index, crossing.t};
-      }
+      else record(walk, exit, crossing, passed, last_passed);
       walk.cross_over(exit, crossing);
       extent = (std::max)(extent, walk.extent());
     }
+    return end_after_miss(start, goal, detour, passed, has_missed, last_passed, bypass);
+  }
+
+  // Walks through a strip of faces to where the goal may be near. Not for exact numbers, for which strips build long expressions.
+  // Returns the end if the path reaches it in the strip; otherwise `entry` receives where the walk is.
+  template <class Passed>
+  std::optional<End> walk_through_strip(const Path_start<FT>& start, const Goal& goal, const FT& reach, Passed& passed,
+                                        Last_passed& last_passed, Entry& entry) const
+  {
+    if (!Number_policy<FT>::is_inexact || start.exit == -1 || is_one_edge(exit_of(start), start.edge) ||
+        m_goals.is_in_face(goal, m_mesh.face(start.halfedge)))
+      return std::nullopt;
+    Strip_walk<FT> strip(m_mesh, start.halfedge, start.from, start.to, reach, start.exit);
+    const FT extent = m_mesh.longest_edge() + FT(1. / (1 << 15)) * start.length();
+    if (!strip(FT(FT(2 * nearby) * extent), m_goals.miss(reach, start, extent), passed)) return std::nullopt;
+    passed.set_apart(passed.size());
+    if (goal.vertex != no_index && m_mesh.apex(strip.halfedge()) == goal.vertex &&
+        strip.way_to_apex() <= strip.way_left() + window_allowance<FT>(start.distance))
+      return m_goals.end_at_goal(goal, strip.halfedge(), strip.position(), strip.direction(), start);
+    entry = {strip.halfedge(), strip.position(), strip.goal(), strip.direction(), true};
+    last_passed = {no_index, entry.halfedge, entry.from.x};
+    return std::nullopt;
+  }
+
+  // The end of the path aimed at an end that a second attempt has found in the face of the walk; the same end if the walk cannot be
+  // aimed at it.
+  template <class Passed>
+  End aimed_end(const End& end, const Straight_walk<FT>& walk, const Path_start<FT>& start, Passed& passed,
+                Last_passed& last_passed, Path_start<FT>* bypass) const
+  {
+    Point position;
+    unsigned edges;
+    if (!CGAL::is_positive(length(walk.direction())) || !position_in_face(m_mesh, end.point, walk.face(), position, edges))
+      return end;
+    const Face_frame<FT> frame(m_mesh, walk.face());
+    const int k = int(walk.halfedge() % 3);
+    const Point goal_there = frame.vector_to_halfedge(k, position - frame.corner(k));
+    const Path_start<FT> other = aimed_at(goal_there, start, walk.goal(), walk.direction());
+    const End other_end = follow_instead(other, passed, last_passed, bypass);
+    return other_end.is_at_source() ? other_end : follow(start, passed, true, last_passed, nullptr);
+  }
+
+  // Adds a crossing to what the path has passed: as a vertex if one is there, which the path does not use as a new start.
+  template <class Passed>
+  void record(const Straight_walk<FT>& walk, int exit, const typename Straight_walk<FT>::Crossing& crossing, Passed& passed,
+              Last_passed& last_passed) const
+  {
+    const Index beyond = walk.beyond(exit), first = walk.vertex((exit + 1) % 3), second = walk.vertex(exit);
+    const FT rounding = Number_policy<FT>::rounding(Path_goals<FT>::roundings_of_position) * crossing.length;
+    const Index v = crossing.t <= rounding ? first : crossing.t >= crossing.length - rounding ? second : no_index;
+    if (v == no_index) passed.push_back(passed.item({beyond, first, second, FT(crossing.t / crossing.length)}));
+    else if (v != last_passed.vertex) passed.push_back(passed.item({no_index, v, v, FT(0)}));
+    last_passed = {v, v == no_index ? beyond : no_index, crossing.t};
+  }
+
+  // The end of a path that has missed its goal: by a second attempt, then by the detour.
+  template <class Passed>
+  End end_after_miss(const Path_start<FT>& start, const Goal& goal, const Detour& detour, Passed& passed, bool has_missed,
+                     Last_passed& last_passed, Path_start<FT>* bypass) const
+  {
     if (!has_missed)
     {
       passed.clear();
@@ -356,7 +377,7 @@ private:
   // straight one; with exact numbers, if the walk meets the corner. The corner must have the same source and side, unless the
   // walk has missed its goal.
   bool passes(const Straight_walk<FT>& walk, int k, int exit, const typename Straight_walk<FT>::Crossing& crossing,
-              const Path_start<FT>& start, const typename Path_goals<FT>::Goal& goal, bool has_missed) const
+              const Path_start<FT>& start, const Goal& goal, bool has_missed) const
   {
     const Point to_goal = walk.goal() - walk.position(), to_vertex = walk.corner(k) - walk.position();
     const FT off = walk.side(k);
