@@ -367,19 +367,6 @@ public:
     if (is_closed && repeats_first) given_locations.pop_back();
     std::optional<Located_point> last;
     std::size_t i = 0;
-    // Start values of the points that have been added behind the last given one, by the length of the path.
-    const auto add_starts = [&](const FT& start) {
-      const auto& path = polyline.locations;
-      std::vector<FT>& starts = polyline.start_values;
-      const std::size_t first = starts.size();
-      std::vector<FT> ways(1, FT(0)); // from the point before
-      for (std::size_t k = (std::max)(first, std::size_t(1)); k < path.size(); ++k)
-        ways.push_back(ways.back() + Geodesic_offset::internal::square_root<FT>(
-                                       CGAL::squared_distance(surface.point(path[k - 1]), surface.point(path[k]))));
-      const FT before = first == 0 ? start : starts.back();
-      for (std::size_t k = 1; k + 1 < ways.size(); ++k) starts.push_back(before + (ways[k] / ways.back()) * (start - before));
-      starts.push_back(start);
-    };
     const auto add = [&](const Face_location& given) {
       auto& path = polyline.locations;
       const Located_point p = data().classified(given);
@@ -391,7 +378,7 @@ public:
                                     std::to_string(i) + " of a polyline from the one before");
       for (const auto& c : passed) path.push_back(surface.location_of_element(c));
       path.push_back(l);
-      if (!given_starts.empty()) add_starts(given_starts[i]);
+      if (!given_starts.empty()) add_start_values(given_starts[i], polyline);
       last = p;
     };
     for (const Face_location& l : given_locations)
@@ -555,6 +542,23 @@ private:
     if constexpr (internal::has_parameter<internal_np::snapping_tolerance_t, NamedParameters>)
       return FT(parameters::get_parameter(np, internal_np::snapping_tolerance));
     else return (void)np, FT(data().locator().default_tolerance());
+  }
+
+  // Adds the start values of the points that have been added behind the last one that has a value, linear in the length of the path to
+  // the last point, whose value is given.
+  void add_start_values(const FT& start, Polyline& polyline) const
+  {
+    const auto& path = polyline.locations;
+    std::vector<FT>& starts = polyline.start_values;
+    const FT before = starts.empty() ? start : starts.back();
+    std::vector<FT> ways(1, FT(0)); // from the point before
+    for (std::size_t k = (std::max)(starts.size(), std::size_t(1)); k < path.size(); ++k)
+    {
+      const Point_3 p = data().surface().point(path[k - 1]), q = data().surface().point(path[k]);
+      ways.push_back(ways.back() + Geodesic_offset::internal::square_root<FT>(CGAL::squared_distance(p, q)));
+    }
+    for (std::size_t k = 1; k + 1 < ways.size(); ++k) starts.push_back(before + (ways[k] / ways.back()) * (start - before));
+    starts.push_back(start);
   }
 
   // The location of a classified point, exactly on the edge or at the vertex; the given one if it is there already.

@@ -38,12 +38,7 @@ public:
     const Certified_propagation face(m_state.mesh, h);
     double best, entry;
     sort_by_exit(h, face, windows, n, best, entry);
-    if (m_most_faces >= most_faces)
-      throw std::runtime_error("Surface_mesh_geodesic_enclosure: a path may cross 2^16 faces without a bend; errors of "
-                               "images are proven for fewer");
-    if (!(m_largest_radius < m_state.queue.bucket_width()))
-      throw std::runtime_error("Surface_mesh_geodesic_enclosure: a distance is uncertain by more than a quarter of the "
-                               "mean edge");
+    check_errors();
     const double room = Number_policy<double>::is_finite(best) ? face.error_of_entry(best, entry) : 0.;
 
     const double dp = bounds.upper(mesh.source(h)), dq = bounds.upper(mesh.target(h)), dr = bounds.upper(mesh.apex(h));
@@ -101,6 +96,18 @@ public:
 
 private:
   enum Exit : char { NONE, LEFT, BOTH, RIGHT };
+
+  // \throws std::runtime_error if the errors of the windows are not proven, or too large for the schedule of the front
+  void check_errors() const
+  {
+    if (m_most_faces >= most_faces)
+      throw std::runtime_error("Surface_mesh_geodesic_enclosure: a path may cross 2^16 faces without a bend; errors of "
+                               "images are proven for fewer");
+    if (!(m_largest_radius < m_state.queue.bucket_width()))
+      throw std::runtime_error("Surface_mesh_geodesic_enclosure: a distance is uncertain by more than a quarter of the "
+                               "mean edge");
+  }
+
   struct Sorted
   {
     Exit exit;

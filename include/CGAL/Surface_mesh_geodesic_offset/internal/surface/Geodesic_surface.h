@@ -348,8 +348,9 @@ private:
               end_of_indices(fim, all_faces, (std::size_t(1) << 30) - 1))
   {
     All_face_links links = face_links(tm, all_faces, vim, fim, numbers.faces_end(), team), whole_links;
-    std::vector<Index> indices(all_vertices.size()); // in the mesh; copies have the numbers behind
-    for (std::size_t i = 0; i < indices.size(); ++i) indices[i] = Index(index_in_mesh(all_vertices[i]));
+    std::vector<Index> indices; // in the mesh; copies have the numbers behind
+    indices.reserve(all_vertices.size());
+    for (const vertex_descriptor v : all_vertices) indices.push_back(Index(index_in_mesh(v)));
     Barriers barriers;
     if constexpr (!std::is_same<BarrierMap, No_barriers>::value)
     {
@@ -361,16 +362,7 @@ private:
     auto&& readers_of_points = team_or_alone(team);
     if (has_points) renumber_if_scattered(links, all_vertices, indices, readers_of_points);
     barriers.renumber(numbers);
-    face_of.assign(numbers.faces_end(), Graph_traits::null_face()); // unused indices keep the null descriptor
-    std::vector<Index> face_at(numbers.faces_end(), no_index);
-    Blocks(all_faces.size(), team.size()).for_each(team, [&](Index, std::size_t begin, std::size_t end) {
-      for (std::size_t k = begin; k < end; ++k)
-      {
-        const Index i = index_of(all_faces[k]);
-        face_of[i] = all_faces[k];
-        face_at[i] = Index(index_in_mesh(all_faces[k]));
-      }
-    });
+    const std::vector<Index> face_at = place_faces(all_faces, team);
     vertex_of.assign(numbers.vertices_end(), Graph_traits::null_vertex());
     const auto set_up = [&](const auto&... layout) {
       unfolded = Unfolded_mesh<Number>(numbers, links, face_at, layout..., team);
@@ -422,6 +414,23 @@ private:
       throw std::length_error("Surface_mesh_geodesic_offset: the mesh has too many elements for 32-bit indices, or indices "
                               "that are not set");
     return elements.empty() ? 0 : largest + 1;
+  }
+
+  // Sets face_of. Returns the mesh index of each face.
+  template <class Team>
+  std::vector<Index> place_faces(const std::vector<face_descriptor>& all_faces, Team& team)
+  {
+    face_of.assign(numbers.faces_end(), Graph_traits::null_face()); // unused indices keep the null descriptor
+    std::vector<Index> face_at(numbers.faces_end(), no_index);
+    Blocks(all_faces.size(), team.size()).for_each(team, [&](Index, std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k)
+      {
+        const Index i = index_of(all_faces[k]);
+        face_of[i] = all_faces[k];
+        face_at[i] = Index(index_in_mesh(all_faces[k]));
+      }
+    });
+    return face_at;
   }
 
   // Cuts the links along the edges for which the map is true.

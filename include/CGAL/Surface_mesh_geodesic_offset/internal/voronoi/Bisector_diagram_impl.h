@@ -20,6 +20,20 @@
 
 namespace CGAL::Geodesic_offset::internal {
 
+// Labels the faces with cells: by their centers if a curve crosses them.
+template <class NT>
+void label_crossed_faces(Bisector_diagram<NT>& diagram)
+{
+  std::unordered_set<Index> crossed;
+  for (const Bisector_chain<NT>& chain : diagram.chains)
+    for (const Bisector_arc<NT>& a : chain.arcs) crossed.insert(a.face);
+  for (auto& [face, cells] : diagram.cells)
+  {
+    cells.is_crossed = crossed.count(face) != 0;
+    diagram.label_of_face[face] = cells.is_crossed ? cells.label_of_center() : cells.label_without_curves();
+  }
+}
+
 template <class NT, class FT>
 Bisector_diagram<NT> find_bisectors(const Unfolded_mesh<FT>& mesh, const Initial_windows<FT>& initial,
                                     const Geodesic_field<FT>& field)
@@ -77,14 +91,7 @@ Bisector_diagram<NT> find_bisectors(const Unfolded_mesh<FT>& mesh, const Initial
   diagram.divisions = bisectors.number_of_divisions();
   diagram.forced_cells = bisectors.number_of_forced_cells();
   Bisector_chains(std::move(arcs), nodes).write(diagram);
-  std::unordered_set<Index> crossed;
-  for (const Bisector_chain<NT>& chain : diagram.chains)
-    for (const Bisector_arc<NT>& a : chain.arcs) crossed.insert(a.face);
-  for (auto& [face, cells] : diagram.cells)
-  {
-    cells.is_crossed = crossed.count(face) != 0;
-    diagram.label_of_face[face] = cells.is_crossed ? cells.label_of_center() : cells.label_without_curves();
-  }
+  label_crossed_faces(diagram);
   return diagram;
 }
 

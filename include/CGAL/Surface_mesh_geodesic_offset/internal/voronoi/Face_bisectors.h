@@ -172,7 +172,6 @@ public:
     Cell_bisectors<NT> bisectors(m_windows, m_tolerances, m_cell);
     Gate_links<NT> links(m_windows, m_tolerances, m_cell);
     std::size_t divisions = 0, divisions_for_windows = 0;
-    std::vector<Bisector_arc<NT>> found;
     m_pending.clear();
     add_pending({m_cell, m_all, m_all.size() + 1, 0, 0});
     while (!m_pending.empty())
@@ -206,25 +205,8 @@ public:
       }
       else
       {
-        const bool fits = bisectors.connect(part.cell, inside, new_node, add);
-        const auto holds_along = [&](const Bisector_arc<NT>& a) {
-          return links.is_verified(a, part.near, bisectors.has_wide_joints());
-        };
-        const bool holds = fits && (!bisectors.has_loose_joints() || std::all_of(m_arcs.begin(), m_arcs.end(), holds_along));
         const bool may_divide = is_divisible && divisions < Voronoi_tolerances<NT>::most_divisions * m_all.size();
-        if (!holds)
-        {
-          found.clear();
-          if (may_divide) bisectors.find_arcs(part.cell, inside, found);
-          if (links.connect(part.cell, part.near, found, new_node, write)) continue;
-        }
-        if (holds || !may_divide)
-        {
-          if (!fits) links.connect_straight(part.cell, new_node, write);
-          else std::for_each(m_arcs.begin(), m_arcs.end(), write);
-          if (!holds && is_divisible) ++m_number_of_forced_cells;
-          continue;
-        }
+        if (connect(part, inside, is_divisible, may_divide, bisectors, links, new_node, write)) continue;
         ++divisions;
       }
       auto halves = part.cell.divided(
@@ -275,6 +257,29 @@ private:
     std::for_each(local.first, local.second, [&](const auto& l) { check(l.window); });
     for (Index h = 3 * m_field.face(); result && h < 3 * m_field.face() + 3; ++h) m_results.for_each_window(m_mesh, h, check);
     return result;
+  }
+
+  // Finds and writes the arcs of a part. Returns false if they do not fit together and the part may be divided.
+  template <class New_node, class Write>
+  bool connect(const Part& part, const std::vector<unsigned>& inside, bool is_divisible, bool may_divide,
+               Cell_bisectors<NT>& bisectors, Gate_links<NT>& links, const New_node& new_node, const Write& write)
+  {
+    const bool fits = bisectors.connect(part.cell, inside, new_node, [&](const Bisector_arc<NT>& a) { m_arcs.push_back(a); });
+    const auto holds_along = [&](const Bisector_arc<NT>& a) {
+      return links.is_verified(a, part.near, bisectors.has_wide_joints());
+    };
+    const bool holds = fits && (!bisectors.has_loose_joints() || std::all_of(m_arcs.begin(), m_arcs.end(), holds_along));
+    if (!holds)
+    {
+      std::vector<Bisector_arc<NT>> found;
+      if (may_divide) bisectors.find_arcs(part.cell, inside, found);
+      if (links.connect(part.cell, part.near, found, new_node, write)) return true;
+      if (may_divide) return false;
+    }
+    if (!fits) links.connect_straight(part.cell, new_node, write);
+    else std::for_each(m_arcs.begin(), m_arcs.end(), write);
+    if (!holds && is_divisible) ++m_number_of_forced_cells;
+    return true;
   }
 
   // Sets the face of an arc, the edges of its ends at gates, and the edge along which it runs.
