@@ -3,7 +3,9 @@
 """Every output of the program, read without other packages, and every kind of source, against closed forms on a planar mesh and a
 cube. The tests in other files read outputs with other software."""
 
+import csv
 import math
+import re
 import struct
 
 from program_bench import (check, check_close, cube, polyline_text, read_ply, read_polylines, run_test, write_grid, write_off)
@@ -234,5 +236,43 @@ def test_formats(bench):
     check_curves("faces that were turned", read_vtk(out), [1.5], 1, 1, distance)
 
 
+def test_order(bench):
+    """Circles around the middle of the grid, the largest ones open at its border: order, parents in all formats, and starts."""
+    write_grid(bench.path("order.off"), lambda p: (p[0], p[1], 0))
+    for order in "nesting", "distance":
+        vtk, vtp, table = (bench.path("order." + extension) for extension in ("vtk", "vtp", "csv"))
+        stats = bench.run(bench.path("order.off"), "--source-vertex", SOURCE, "--spacing", 1.5, "--order", order, "--output", vtk,
+                          "--output", vtp, "--output", table)
+        curves = stats["nesting"]
+        closed = [c for c in curves if c["closed"]]
+        check(len(closed) > 2 and len(curves) > len(closed), "closed and open curves")
+        by_distance = sorted(c["distance"] for c in closed)
+        check([c["distance"] for c in closed] == (by_distance[::-1] if order == "nesting" else by_distance), "the order")
+        for i, c in enumerate(curves):
+            around = [k for k in closed if k["distance"] > c["distance"]] if c["closed"] else []
+            parent = min(around, key=lambda k: k["distance"])["curve"] if around else None
+            check(c["curve"] == i and c["parent"] == parent and c["depth"] == len(around), "curve %s, parent %s" % (c, parent))
+            check(c["inner_side"] == ("left" if c["closed"] else None), "the inner side")
+        wanted = [(-1 if c["parent"] is None else c["parent"], 1 if c["closed"] else 0) for c in curves]
+        with open(vtk) as file:
+            words = file.read().split()
+        columns = [list(map(int, words[words.index(name) + 4:words.index(name) + 4 + len(curves)])) for name in ("parent", "inner_side")]
+        check(list(zip(*columns)) == wanted and words[words.index("FIELD") + 2] == "5", "cell data of .vtk: %s" % columns)
+        with open(vtp) as file:
+            text = file.read()
+        columns = [list(map(int, re.search('Name="%s"[^>]*>([^<]*)<' % name, text).group(1).split())) for name in ("parent", "inner_side")]
+        check(list(zip(*columns)) == wanted, "cell data of .vtp: %s" % columns)
+        starts = {}
+        with open(table, newline="") as file:
+            for row in csv.DictReader(file):
+                i = int(row["curve"])
+                check((int(row["parent"]), int(row["inner_side"])) == wanted[i], "columns")
+                starts.setdefault(i, [float(row[x]) for x in "xyz"])
+        for c in closed:
+            if c["parent"] is not None:
+                gap = math.dist(starts[c["curve"]], starts[c["parent"]])
+                check_close(gap, curves[c["parent"]]["distance"] - c["distance"], 1e-9, "starts on one ray")
+
+
 if __name__ == "__main__":
-    run_test(all=test_all, sources=test_sources, sides=test_sides, formats=test_formats)
+    run_test(all=test_all, sources=test_sources, sides=test_sides, formats=test_formats, order=test_order)

@@ -12,6 +12,7 @@
 #include "common/program_main.h"
 #include "common/sources.h"
 #include "common/version.h"
+#include "curve_order.h"
 #include "drawing.h"
 #include "level_files.h"
 #include "levels.h"
@@ -131,6 +132,7 @@ Solution solve(const Mesh_input& input, const Sources& sources, const Levels& le
   Offsets offsets = build_and_cut(geodesic, sources, figures.insides, levels, options, chord_tolerance(options, input), drawing,
                                   level_files, progress);
   level_files.finish();
+  if(options.order != Curve_order::as_cut) offsets.places = order_curves(offsets.curves, options.order);
   File_field field(input, geodesic, !options.fields.empty() && sources.has_polylines(), options.field_details,
                    options.has_tolerance());
   figures.largest_distance = geodesic.largest_distance().value();

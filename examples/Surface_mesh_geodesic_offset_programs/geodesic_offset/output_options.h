@@ -8,6 +8,7 @@
 
 #include "common/command_line.h"
 #include "common/common.h"
+#include "curve_order.h"
 
 #include <CGAL/Surface_mesh_geodesic_offset/IO/write_offset_curves.h>
 
@@ -31,6 +32,7 @@ struct Output_options
   std::optional<double> tolerance;
   std::optional<double> point_spacing; // instead of the tolerance
   bool smooth_normals = false;
+  Curve_order order = Curve_order::as_cut;
   CGAL::IO::Length_unit unit = CGAL::IO::Length_unit::NONE;
   std::optional<std::array<double, 3>> view;
   std::optional<std::array<double, 3>> up;
@@ -73,6 +75,9 @@ inline po::options_description output_options_description()
     "point-spacing", word("S"),
     "points of .polylines.txt, .vtk, .vtp, .obj and .csv evenly along the curves, at most S apart, instead of --tolerance")(
     "smooth-normals", po::bool_switch(), "in .vtk, .vtp and .csv: normals interpolated between vertices, not those of faces")(
+    "order", word("ORDER"),
+    "order of the offsets in files: distance, or nesting, from outer to inner ones; closed offsets then start near the start of the "
+    "one around them, and .vtk, .vtp, .csv and --stats have parents and inner sides")(
     "unit", word("UNIT"), "unit of the mesh, for .dxf and .svg: mm, cm, m or in (default: none)")(
     "field", words("FILE"),
     "the input's vertices with their distances, signed ones too if there are polylines, as .ply or "
@@ -100,6 +105,13 @@ inline CGAL::IO::Length_unit length_unit(const std::string& word)
   if(word == "m") return Length_unit::METER;
   if(word == "in") return Length_unit::INCH;
   throw Usage_error("--unit must be mm, cm, m or in, not " + quoted(word));
+}
+
+inline Curve_order curve_order(const std::string& word)
+{
+  if(word == "distance") return Curve_order::by_distance;
+  if(word == "nesting") return Curve_order::by_nesting;
+  throw Usage_error("--order must be distance or nesting, not " + quoted(word));
 }
 
 inline void check_offset_format(const std::string& file)
@@ -137,7 +149,7 @@ inline void check_outputs(const po::variables_map& map, const Output_options& op
   check_extension("picture", options.picture, ".png");
   check_extension("stats", options.stats, ".json");
 
-  for(const char* option : {"output", "split"})
+  for(const char* option : {"output", "split", "order"})
     if(map.count(option) && map.count("distance") == 0 && map.count("spacing") == 0)
       throw Usage_error("--" + std::string(option) + " needs --distance or --spacing");
   for(const char* option : {"view", "up"})
@@ -148,6 +160,8 @@ inline void check_outputs(const po::variables_map& map, const Output_options& op
         if(has_extension(output, extension)) return true;
     return false;
   };
+  if(map.count("order") && options.outputs.empty() && options.stats.empty())
+    throw Usage_error("--order needs --output or --stats");
   if(map.count("unit") && !has_output({".dxf", ".svg"}))
     throw Usage_error("--unit needs an --output that ends in .dxf or .svg: other formats have no unit");
   if(options.point_spacing && !has_output({".polylines.txt", ".vtk", ".vtp", ".obj", ".csv"}))
@@ -169,6 +183,7 @@ inline void read_output_options(const po::variables_map& map, Output_options& op
   options.tolerance = optional_positive_number(map, "tolerance");
   options.point_spacing = optional_positive_number(map, "point-spacing");
   options.smooth_normals = map["smooth-normals"].as<bool>();
+  if(map.count("order")) options.order = curve_order(map["order"].as<std::string>());
   if(map.count("unit")) options.unit = length_unit(map["unit"].as<std::string>());
   options.view = direction(map, "view");
   options.up = direction(map, "up");

@@ -59,7 +59,8 @@ void write_outputs(const Solution& solution, const Mesh_input& input, const Sour
   }
   if(!options.stats.empty())
     files.add(options.stats, [&](std::ostream& out) {
-      write_stats(out, figures, solution.statistics, with_requested(solution.offsets.levels, options.distances));
+      write_stats(out, figures, solution.statistics, with_requested(solution.offsets.levels, options.distances),
+                  solution.offsets);
     });
   files.commit();
   for(const std::string& file : files.targets()) progress.line("wrote " + file);

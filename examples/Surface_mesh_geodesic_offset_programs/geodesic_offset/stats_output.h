@@ -20,6 +20,7 @@
 #include <map>
 #include <optional>
 #include <ostream>
+#include <string>
 #include <vector>
 
 namespace geodesic_offset {
@@ -69,7 +70,7 @@ inline std::uintmax_t peak_rss_bytes()
 }
 
 inline void write_stats(std::ostream& out, const Run_figures& run, const Geodesic::Statistics& solver,
-                        const std::vector<Level_figures>& levels)
+                        const std::vector<Level_figures>& levels, const Offsets& offsets)
 {
   out.precision(std::numeric_limits<double>::max_digits10);
   out << "{\n"
@@ -115,6 +116,24 @@ inline void write_stats(std::ostream& out, const Run_figures& run, const Geodesi
       out << separator << "    {\"source\": " << source << ", \"inside\": \""
           << (inner.side == CGAL::Source_side::LEFT ? "left" : "right") << "\", \"area\": " << inner.inner_area
           << ", \"outer_area\": " << inner.outer_area << '}';
+      separator = ",\n";
+    }
+    out << "\n  ],\n";
+    separator = "\n";
+  }
+  if(!offsets.places.empty())
+  {
+    out << "  \"nesting\": [";
+    for(std::size_t i = 0; i < offsets.places.size(); ++i)
+    {
+      const CGAL::Offset_curve_nesting& place = offsets.places[i];
+      out << separator << "    {\"curve\": " << i << ", \"distance\": " << offsets.curves[i].distance()
+          << ", \"closed\": " << (offsets.curves[i].is_closed() ? "true" : "false") << ", \"parent\": "
+          << (place.depth > 0 ? std::to_string(place.parent) : "null") << ", \"depth\": " << place.depth << ", \"inner_side\": "
+          << (place.inner_side == CGAL::LEFT_TURN    ? "\"left\""
+              : place.inner_side == CGAL::RIGHT_TURN ? "\"right\""
+                                                     : "null")
+          << '}';
       separator = ",\n";
     }
     out << "\n  ],\n";

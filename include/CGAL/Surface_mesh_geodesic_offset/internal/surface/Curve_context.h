@@ -35,6 +35,11 @@ struct Curve_context
   {
     return Geodesic_offset_curve<Surface>(context, distance, tolerance, is_closed, std::forward<Pieces>(pieces));
   }
+
+  static const auto& pieces_of(const Geodesic_offset_curve<Surface>& curve) { return curve.m_pieces; }
+
+  // \throws std::logic_error if the curve was moved from
+  static const Surface& surface_of(const Geodesic_offset_curve<Surface>& curve) { return *curve.context().surface; }
 };
 
 } // namespace internal
