@@ -81,7 +81,7 @@ Sources find_sources(const Mesh_input& input, const Options& options, Geodesic& 
                       " leaves no distances: the smallest --start-value is " + short_number(sources.smallest_start_value()));
   if(const std::string useless = useless_side(options, sources); !useless.empty()) progress.warning(useless);
   if(options.has_levels() && !options.shows_offsets())
-    progress.line("offsets: in no file, as there is no --output, --split, --picture or --stats");
+    progress.line("offsets: in no file, as there is no --output, --split, --bands, --picture or --stats");
   return sources;
 }
 

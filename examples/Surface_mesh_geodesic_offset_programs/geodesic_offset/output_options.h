@@ -25,6 +25,8 @@ struct Output_options
   std::vector<std::string> fields;
   bool field_details = false; // sources, sides and gradients in the field
   std::string split; // the mesh split along the offsets
+  std::string bands; // the parts of this mesh: the prefix of their files
+  bool has_bands_by_source = false;
   std::vector<std::string> voronoi; // curves between cells, or the mesh split along them
   std::string source_output; // polylines, sections and edges as they are on the surface
   std::string picture;
@@ -43,14 +45,20 @@ struct Output_options
     for(const std::vector<std::string>* files : {&fields, &voronoi}) result.insert(result.end(), files->begin(), files->end());
     for(const std::string& file : {split, source_output, picture, stats})
       if(!file.empty()) result.push_back(file);
+    if(!bands.empty()) result.push_back(file_of_band("0")); // the others are not known yet
     return result;
   }
 
+  std::string file_of_band(const std::string& name) const { return bands + name + ".ply"; }
+
+  // Whether the mesh is split along the offsets.
+  bool has_split_mesh() const { return !split.empty() || !bands.empty(); }
+
   // Whether an output contains the offsets.
-  bool shows_offsets() const { return !outputs.empty() || !split.empty() || !picture.empty() || !stats.empty(); }
+  bool shows_offsets() const { return !outputs.empty() || has_split_mesh() || !picture.empty() || !stats.empty(); }
 
   // Whether an output contains the distances of the whole surface.
-  bool shows_field() const { return !fields.empty() || !split.empty() || !voronoi.empty() || !picture.empty(); }
+  bool shows_field() const { return !fields.empty() || has_split_mesh() || !voronoi.empty() || !picture.empty(); }
 };
 
 // Calls f with the named parameters for the points of files.
@@ -86,6 +94,8 @@ inline po::options_description output_options_description()
     "split", word("FILE.ply"),
     "the mesh split along the offsets, its faces with their band between the distances, the source "
     "nearest to their centroid, and the colour of the band")(
+    "bands", word("PREFIX"), "the faces of this mesh in one file per band, PREFIX0.ply, PREFIX1.ply, ...")(
+    "bands-by", word("KIND"), "with --bands: a file per band (default) or per source")(
     "voronoi", words("FILE"),
     "the curves between the cells of the sources as .polylines.txt or .vtk; or, as .ply, the mesh "
     "split along them, its faces with their source and its colour (repeatable)")(
@@ -149,7 +159,13 @@ inline void check_outputs(const po::variables_map& map, const Output_options& op
   check_extension("picture", options.picture, ".png");
   check_extension("stats", options.stats, ".json");
 
-  for(const char* option : {"output", "split", "order"})
+  if(map.count("bands-by"))
+  {
+    const std::string& kind = map["bands-by"].as<std::string>();
+    if(options.bands.empty()) throw Usage_error("--bands-by needs --bands");
+    if(kind != "band" && kind != "source") throw Usage_error("--bands-by must be band or source, not " + quoted(kind));
+  }
+  for(const char* option : {"output", "split", "bands", "order"})
     if(map.count(option) && map.count("distance") == 0 && map.count("spacing") == 0)
       throw Usage_error("--" + std::string(option) + " needs --distance or --spacing");
   for(const char* option : {"view", "up"})
@@ -176,6 +192,8 @@ inline void read_output_options(const po::variables_map& map, Output_options& op
   options.fields = option_words(map, "field");
   options.field_details = map["field-details"].as<bool>();
   options.split = option_word(map, "split");
+  options.bands = option_word(map, "bands");
+  options.has_bands_by_source = option_word(map, "bands-by") == "source";
   options.voronoi = option_words(map, "voronoi");
   options.source_output = option_word(map, "source-output");
   options.picture = option_word(map, "picture");
