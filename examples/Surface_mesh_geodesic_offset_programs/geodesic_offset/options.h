@@ -57,7 +57,10 @@ struct Options : Source_options, Level_options, Query_options, Output_options
   bool needs_field() const { return shows_field() || has_paths() || farthest_point; }
 
   // Whether answers are needed for points inside faces.
-  bool needs_windows() const { return has_split_mesh() || !voronoi.empty() || !path_points.empty(); }
+  bool needs_windows() const
+  {
+    return has_split_mesh() || !voronoi.empty() || picture_details.boundaries || !path_points.empty();
+  }
 };
 
 namespace internal {
@@ -85,9 +88,13 @@ inline po::options_description options_description()
 inline void check_tolerances(const po::variables_map& map, const Options& options)
 {
   const std::pair<const char*, bool> exact[] = {
-    {"split", !options.split.empty()},          {"bands", !options.bands.empty()},
-    {"path-from", map.count("path-from") != 0}, {"path-from-vertex", map.count("path-from-vertex") != 0},
-    {"farthest-point", options.farthest_point}, {"voronoi", !options.voronoi.empty()},
+    {"split", !options.split.empty()},
+    {"bands", !options.bands.empty()},
+    {"path-from", map.count("path-from") != 0},
+    {"path-from-vertex", map.count("path-from-vertex") != 0},
+    {"farthest-point", options.farthest_point},
+    {"voronoi", !options.voronoi.empty()},
+    {"picture-with voronoi", options.picture_details.boundaries},
     {"field-details", options.field_details}};
   for(const char* tolerance : {"relative-tolerance", "merging-tolerance"})
     for(const auto& [option, is_given] : exact)

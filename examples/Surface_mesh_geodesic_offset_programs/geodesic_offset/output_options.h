@@ -8,6 +8,7 @@
 
 #include "common/command_line.h"
 #include "common/common.h"
+#include "common/picture.h"
 #include "curve_order.h"
 
 #include <CGAL/Surface_mesh_geodesic_offset/IO/write_offset_curves.h>
@@ -36,6 +37,7 @@ struct Output_options
   bool smooth_normals = false;
   Curve_order order = Curve_order::as_cut;
   CGAL::IO::Length_unit unit = CGAL::IO::Length_unit::NONE;
+  Picture_details picture_details;
   std::optional<std::array<double, 3>> view;
   std::optional<std::array<double, 3>> up;
 
@@ -101,7 +103,10 @@ inline po::options_description output_options_description()
     "split along them, its faces with their source and its colour (repeatable)")(
     "source-output", word("FILE.polylines.txt"), "polylines, sections and edges of the sources as they are on the surface")(
     "picture", word("FILE.png"), "the mesh coloured by distance, with sources and offsets drawn on it")(
-    "view", word("X,Y,Z"), "direction from the mesh to the viewer of the picture")(
+    "picture-with", words("ITEM,..."),
+    "also in the picture: voronoi (the curves between the cells of the sources), labels (the distances of the offsets), axes, box "
+    "(the bounding box of the mesh) (repeatable)")("view", word("X,Y,Z"),
+                                                   "direction from the mesh to the viewer of the picture")(
     "up", word("X,Y,Z"), "direction that points up in the picture (default: 0,1,0)")("stats", word("FILE.json"),
                                                                                      "sizes, times, windows, memory, curves");
   return outputs;
@@ -122,6 +127,26 @@ inline Curve_order curve_order(const std::string& word)
   if(word == "distance") return Curve_order::by_distance;
   if(word == "nesting") return Curve_order::by_nesting;
   throw Usage_error("--order must be distance or nesting, not " + quoted(word));
+}
+
+inline Picture_details picture_details(const std::vector<std::string>& lists)
+{
+  Picture_details details;
+  for(const std::string& list : lists)
+    for(std::size_t begin = 0, end = 0; end != std::string::npos; begin = end + 1)
+    {
+      end = list.find(',', begin);
+      const std::string item = list.substr(begin, end - begin);
+      bool* const detail =
+        item == "voronoi"  ? &details.boundaries
+        : item == "labels" ? &details.labels
+        : item == "axes"   ? &details.axes
+        : item == "box"    ? &details.box
+                           : nullptr;
+      if(!detail) throw Usage_error("--picture-with must be of voronoi, labels, axes and box, not " + quoted(item));
+      *detail = true;
+    }
+  return details;
 }
 
 inline void check_offset_format(const std::string& file)
@@ -155,6 +180,10 @@ inline void check_outputs(const po::variables_map& map, const Output_options& op
       throw Usage_error("--voronoi " + quoted(file) + " must end in .polylines.txt, .vtk or .ply");
   if(!options.voronoi.empty() && map.count("maximum-distance"))
     throw Usage_error("--voronoi needs all distances, without --maximum-distance");
+  if(options.picture_details.boundaries && map.count("maximum-distance"))
+    throw Usage_error("--picture-with voronoi needs all distances, without --maximum-distance");
+  if(options.picture_details.labels && map.count("distance") == 0 && map.count("spacing") == 0)
+    throw Usage_error("--picture-with labels needs --distance or --spacing");
   check_extension("source-output", options.source_output, ".polylines.txt");
   check_extension("picture", options.picture, ".png");
   check_extension("stats", options.stats, ".json");
@@ -168,7 +197,7 @@ inline void check_outputs(const po::variables_map& map, const Output_options& op
   for(const char* option : {"output", "split", "bands", "order"})
     if(map.count(option) && map.count("distance") == 0 && map.count("spacing") == 0)
       throw Usage_error("--" + std::string(option) + " needs --distance or --spacing");
-  for(const char* option : {"view", "up"})
+  for(const char* option : {"picture-with", "view", "up"})
     if(map.count(option) && options.picture.empty()) throw Usage_error("--" + std::string(option) + " needs --picture");
   const auto has_output = [&](const std::vector<const char*>& extensions) {
     for(const std::string& output : options.outputs)
@@ -197,6 +226,7 @@ inline void read_output_options(const po::variables_map& map, Output_options& op
   options.voronoi = option_words(map, "voronoi");
   options.source_output = option_word(map, "source-output");
   options.picture = option_word(map, "picture");
+  options.picture_details = picture_details(option_words(map, "picture-with"));
   options.stats = option_word(map, "stats");
   options.tolerance = optional_positive_number(map, "tolerance");
   options.point_spacing = optional_positive_number(map, "point-spacing");
