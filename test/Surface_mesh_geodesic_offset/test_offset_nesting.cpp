@@ -9,6 +9,7 @@
 #include "offset_tools.h"
 #include "planar_pieces.h"
 
+#include <CGAL/Surface_mesh_geodesic_offset/geodesic_offset_curves.h>
 #include <CGAL/Surface_mesh_geodesic_offset/nest_offset_curves.h>
 #include <CGAL/Surface_mesh_geodesic_offset/split_along_offset_curves.h>
 
@@ -24,6 +25,7 @@
 #include <iterator>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -361,6 +363,38 @@ void order()
   CHECK(moved > 100);
 }
 
+/// A flat torus of side 1, with lengths instead of points: the largest cell is between the curves around the source and that around the
+/// farthest point.
+void lengths()
+{
+  const unsigned n = 20;
+  Surface_mesh mesh;
+  std::vector<Surface_mesh::Vertex_index> v;
+  for (unsigned i = 0; i < n * n; ++i) v.push_back(mesh.add_vertex(Point_3(0, 0, 0)));
+  const auto at = [&](unsigned i, unsigned j) { return v[(i % n) * n + j % n]; };
+  const auto length_of = mesh.add_property_map<Surface_mesh::Edge_index, double>("e:length", 1. / n).first;
+  for (unsigned i = 0; i < n; ++i)
+    for (unsigned j = 0; j < n; ++j)
+    {
+      mesh.add_face(at(i, j), at(i + 1, j), at(i + 1, j + 1));
+      mesh.add_face(at(i, j), at(i + 1, j + 1), at(i, j + 1));
+    }
+  for (unsigned i = 0; i < n; ++i)
+    for (unsigned j = 0; j < n; ++j) length_of[mesh.edge(mesh.halfedge(at(i, j), at(i + 1, j + 1)))] = std::sqrt(2.) / n;
+  const auto np = CGAL::parameters::edge_length_map(length_of);
+  std::vector<CGAL::Geodesic_offset_curve_type<Surface_mesh, std::decay_t<decltype(np)>>> curves;
+  CGAL::geodesic_offset_curves(mesh, at(3, 4), std::vector<double>{0.2, 0.4, 0.6}, std::back_inserter(curves), np);
+  if (!CHECK(curves.size() == 3)) return;
+  for (int turn = 0; turn < 2; ++turn)
+  {
+    const Places places = CGAL::nest_offset_curves(curves);
+    CHECK(places[0].parent == 1 && places[0].inner_side == CGAL::LEFT_TURN && places[0].depth == 1);
+    CHECK(places[1].parent == no_parent && places[1].inner_side == CGAL::LEFT_TURN);
+    CHECK(places[2].parent == no_parent && places[2].inner_side == CGAL::RIGHT_TURN);
+    for (auto& c : curves) c = c.starting_at(c.number_of_pieces() / 2, 0.3);
+  }
+}
+
 /// No curves, and curves that were moved from.
 void misuse()
 {
@@ -382,6 +416,6 @@ void misuse()
 GEODESIC_OFFSET_TEST(test_offset_nesting)
 {
   const std::vector<std::pair<const char*, void (*)()>> tests = {
-    {"plates", plates}, {"closed surfaces", closed_surfaces}, {"order", order}, {"misuse", misuse}};
+    {"plates", plates}, {"closed surfaces", closed_surfaces}, {"order", order}, {"lengths", lengths}, {"misuse", misuse}};
   return run_tests("test_offset_nesting", tests);
 }
