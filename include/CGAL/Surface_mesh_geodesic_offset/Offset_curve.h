@@ -331,9 +331,8 @@ public:
   ///
   /// All points are on the curve. The first and last points of an open curve are its ends. A closed curve repeats its first
   /// point at the end, which need not be the start of `piece(0)`, unless that was chosen: it is the end of a piece, at the sharpest
-  /// turn. The polyline
-  /// of a closed curve has three different vertices at least, however large the tolerance. Where a level is the distance of a
-  /// ridge up to rounding, a closed curve may lie on one line: then there are two or three points.
+  /// turn. The polyline of a closed curve has three different vertices at least, however large the tolerance. Where a level is the
+  /// distance of a ridge up to rounding, a closed curve may lie on one line: then there are two or three points.
   /// \throws std::invalid_argument unless `chord_tolerance > 0`
   /// \throws std::length_error if the curve has more than 20,000,000 chords in `discretize()`, before any output. The points
   ///         need up to 200 bytes of memory per chord.
