@@ -3,8 +3,11 @@
 """Every output of the program, read without other packages, and every kind of source, against closed forms on a planar mesh and a
 cube. The tests in other files read outputs with other software."""
 
+import csv
 import math
+import re
 import struct
+import zlib
 
 from program_bench import (check, check_close, cube, polyline_text, read_ply, read_polylines, run_test, write_grid, write_off)
 
@@ -234,5 +237,108 @@ def test_formats(bench):
     check_curves("faces that were turned", read_vtk(out), [1.5], 1, 1, distance)
 
 
+def test_order(bench):
+    """Circles around the middle of the grid, the largest ones open at its border: order, parents in all formats, and starts."""
+    write_grid(bench.path("order.off"), lambda p: (p[0], p[1], 0))
+    for order in "nesting", "distance":
+        vtk, vtp, table = (bench.path("order." + extension) for extension in ("vtk", "vtp", "csv"))
+        stats = bench.run(bench.path("order.off"), "--source-vertex", SOURCE, "--spacing", 1.5, "--order", order, "--output", vtk,
+                          "--output", vtp, "--output", table)
+        curves = stats["nesting"]
+        closed = [c for c in curves if c["closed"]]
+        check(len(closed) > 2 and len(curves) > len(closed), "closed and open curves")
+        by_distance = sorted(c["distance"] for c in closed)
+        check([c["distance"] for c in closed] == (by_distance[::-1] if order == "nesting" else by_distance), "the order")
+        for i, c in enumerate(curves):
+            around = [k for k in closed if k["distance"] > c["distance"]] if c["closed"] else []
+            parent = min(around, key=lambda k: k["distance"])["curve"] if around else None
+            check(c["curve"] == i and c["parent"] == parent and c["depth"] == len(around), "curve %s, parent %s" % (c, parent))
+            check(c["inner_side"] == ("left" if c["closed"] else None), "the inner side")
+        wanted = [(-1 if c["parent"] is None else c["parent"], 1 if c["closed"] else 0) for c in curves]
+        with open(vtk) as file:
+            words = file.read().split()
+        columns = [list(map(int, words[words.index(name) + 4:words.index(name) + 4 + len(curves)])) for name in ("parent", "inner_side")]
+        check(list(zip(*columns)) == wanted and words[words.index("FIELD") + 2] == "5", "cell data of .vtk: %s" % columns)
+        with open(vtp) as file:
+            text = file.read()
+        columns = [list(map(int, re.search('Name="%s"[^>]*>([^<]*)<' % name, text).group(1).split())) for name in ("parent", "inner_side")]
+        check(list(zip(*columns)) == wanted, "cell data of .vtp: %s" % columns)
+        starts = {}
+        with open(table, newline="") as file:
+            for row in csv.DictReader(file):
+                i = int(row["curve"])
+                check((int(row["parent"]), int(row["inner_side"])) == wanted[i], "columns")
+                starts.setdefault(i, [float(row[x]) for x in "xyz"])
+        for c in closed:
+            if c["parent"] is not None:
+                gap = math.dist(starts[c["curve"]], starts[c["parent"]])
+                check_close(gap, curves[c["parent"]]["distance"] - c["distance"], 1e-9, "starts on one ray")
+
+
+def read_png(path):
+    """Rows of pixels of a file with 8 bits per channel."""
+    with open(path, "rb") as file:
+        data = file.read()
+    width, height, bits, kind = struct.unpack(">IIBB", data[16:26])
+    check(data[:8] == b"\x89PNG\r\n\x1a\n" and bits == 8 and kind == 2, "the format of the picture")
+    at, packed = 8, b""
+    while at < len(data):
+        size, name = struct.unpack(">I4s", data[at:at + 8])
+        packed += data[at + 8:at + 8 + size] if name == b"IDAT" else b""
+        at += 12 + size
+    raw, rows, above = zlib.decompress(packed), [], bytes(3 * width)
+    for y in range(height):
+        mode, row = raw[y * (3 * width + 1)], bytearray(raw[y * (3 * width + 1) + 1:(y + 1) * (3 * width + 1)])
+        for i in range(3 * width if mode else 0):
+            a, b, c = (row[i - 3] if i > 2 else 0), above[i], (above[i - 3] if i > 2 else 0)
+            paeth = min((abs(b - c), 0, a), (abs(a - c), 1, b), (abs(a + b - 2 * c), 2, c))[2]
+            row[i] = (row[i] + (0, a, b, (a + b) // 2, paeth)[mode]) & 255
+        rows.append(bytes(row))
+        above = rows[-1]
+    return rows
+
+
+def test_picture(bench):
+    """Parts of the picture on request, each where it must be: on a plate with two sources, seen from above."""
+    # 8 x 4 of two triangles; the bisector of the sources is the line x = 4
+    mesh = bench.path("plate.off")
+    write_off(mesh, [(0, 0, 0), (8, 0, 0), (8, 4, 0), (0, 4, 0)], [(0, 1, 2), (0, 2, 3)])
+
+    def picture(*options):
+        out = bench.path("out.png")
+        bench.run(mesh, "--source-point", "2,2,0", "--source-point", "6,2,0", "--distance", 1.5, "--view", "0,0,1", "--picture", out, *options)
+        return read_png(out)
+
+    plain = picture()
+    width, height = len(plain[0]) // 3, len(plain)
+    # the plate, from the red points of the sources
+    red = [(x, y) for y in range(height) for x in range(width) if plain[y][3 * x] > 200 and max(plain[y][3 * x + 1:3 * x + 3]) < 80]
+    scale = (sum(x for x, y in red if x > width * 0.4) / sum(x > width * 0.4 for x, y in red)
+             - sum(x for x, y in red if x < width * 0.4) / sum(x < width * 0.4 for x, y in red)) / 4
+    middle, center = sum(x for x, y in red) / len(red), sum(y for x, y in red) / len(red)
+    left, right, top, bottom = middle - 4 * scale, middle + 4 * scale, center - 2 * scale, center + 2 * scale
+
+    def changed(item):
+        rows = picture("--picture-with", item)
+        check(len(rows) == height and len(rows[0]) == 3 * width, "the size of the picture")
+        return [(x, y) for y in range(height) if rows[y] != plain[y]
+                for x in range(width) if rows[y][3 * x:3 * x + 3] != plain[y][3 * x:3 * x + 3]]
+
+    boundary = changed("voronoi")
+    check(all(abs(x - middle) < 5 for x, y in boundary), "the bisector")
+    check({y for x, y in boundary} >= set(range(int(top) + 5, int(bottom) - 5)), "the whole bisector")
+    box = changed("box")
+    near = [min(abs(x - left), abs(x - right), abs(y - top), abs(y - bottom)) for x, y in box]
+    check(len(box) > 6 * scale and max(near) < 5, "the bounding box is the border of the plate: %s" % max(near, default=None))
+    axes = changed("axes")
+    check(len(axes) > 100 and all(x < 220 and y > height - 220 for x, y in axes), "axes in the lower left corner")
+    labels = changed("labels")
+    x, y = (sum(p[k] for p in labels) / len(labels) for k in (0, 1))
+    check(len(labels) > 100 and max(math.dist(p, (x, y)) for p in labels) < 40, "one label")
+    off = [math.dist(((min(p[0] for p in labels) - middle) / scale, (y - center) / scale), (s, 0)) - 1.5 for s in (-2, 2)]
+    check(min(map(abs, off)) < 0.15, "the label is at its offset: %s" % off)
+    check(len(changed("voronoi,box")) > max(len(boundary), len(box)), "two items")
+
+
 if __name__ == "__main__":
-    run_test(all=test_all, sources=test_sources, sides=test_sides, formats=test_formats)
+    run_test(all=test_all, sources=test_sources, sides=test_sides, formats=test_formats, order=test_order, picture=test_picture)

@@ -5,6 +5,7 @@ the curves of the diagram."""
 
 import collections
 import math
+import os
 
 from program_bench import (HORIZONTAL, TILTED, check, check_close, from_center, from_segment, polyline_text, read_ply,
                            read_polylines, run_test, vtk_readers)
@@ -94,6 +95,32 @@ def test_bands(bench):
             check(abs(d / 1.5 - f["band"] - 0.5) <= 0.5 + 1e-2, "band %d at distance %g" % (f["band"], d))
     bench.run(*octahedron(bench), "--split", split)
     check(read_split(split)[2] == 0, "a closed mesh stays closed")
+
+
+def test_parts(bench):
+    """Files of bands and sources: together the faces of the split mesh, each once, with their areas; a part without source."""
+    with open(bench.grid(HORIZONTAL)) as file:
+        lines = file.read().split("\n")
+    lines[1] = "172 289 0"
+    lines[2 + 169:2 + 169] = ["20 0 0", "21 0 0", "20 1 0"]
+    mesh = bench.write("parts.off", "\n".join(lines).rstrip("\n") + "\n3 169 170 171\n")
+    split, folder = bench.path("split.ply"), bench.path("bands")
+    os.mkdir(folder)
+    for kind, value in ("band", "band"), ("source", "source"), (None, "band"):
+        options = ("--bands-by", kind) if kind else ()
+        bench.run(mesh, "--source-point", HORIZONTAL.text(FAR), *bench.segment(HORIZONTAL), "--spacing", 1.5, "--split", split,
+                  "--bands", os.path.join(folder, "b_"), *options, warning="1 of 2 parts of the surface has no source")
+        whole = collections.Counter((f[value], tuple(f["corners"])) for f in read_split(split)[1])
+        parts, areas = collections.Counter(), 0
+        for name in os.listdir(folder):
+            for f in read_split(os.path.join(folder, name))[1]:
+                check(name == "b_%s.ply" % (f[value] if f[value] >= 0 else "none"), "a face of %s %d in %s" % (value, f[value], name))
+                parts[f[value], tuple(f["corners"])] += 1
+                areas += area([c[:2] for c in f["corners"]])
+            os.remove(os.path.join(folder, name))
+        check(parts == whole and max(whole.values()) == 1, "the faces of the split mesh")
+        check(len({v for v, _ in whole}) == (3 if value == "source" else 1 + max(v for v, _ in whole)), "values of %s" % value)
+        check_close(areas, 144.5, 1e-9, "area of all parts")
 
 
 def test_vtk(bench):
@@ -187,4 +214,4 @@ def test_voronoi(bench):
 
 
 if __name__ == "__main__":
-    run_test(bands=test_bands, vtk=test_vtk, voronoi=test_voronoi)
+    run_test(bands=test_bands, parts=test_parts, vtk=test_vtk, voronoi=test_voronoi)

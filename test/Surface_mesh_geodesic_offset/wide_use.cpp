@@ -16,6 +16,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/geodesic_farthest_points.h>
 #include <CGAL/Surface_mesh_geodesic_offset/geodesic_offset_curves.h>
 #include <CGAL/Surface_mesh_geodesic_offset/geodesic_voronoi_labels.h>
+#include <CGAL/Surface_mesh_geodesic_offset/nest_offset_curves.h>
 #include <CGAL/Surface_mesh_geodesic_offset/shortest_path_to_sources.h>
 #include <CGAL/Surface_mesh_geodesic_offset/split_along_geodesic_voronoi_diagram.h>
 #include <CGAL/Surface_mesh_geodesic_offset/split_along_offset_curves.h>

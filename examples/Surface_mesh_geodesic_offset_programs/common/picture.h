@@ -13,6 +13,8 @@
 #include "stroke_font.h"
 #include "view.h"
 
+#include <CGAL/Bbox_3.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -20,6 +22,7 @@
 #include <cstdint>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace geodesic_offset {
@@ -44,6 +47,15 @@ struct Picture_size
   bool has_legend = true;
 };
 
+// Parts of a picture on request.
+struct Picture_details
+{
+  bool boundaries = false; // curves between the cells of sources
+  bool labels = false; // distances of the offsets
+  bool axes = false; // directions of the coordinate axes, in the lower left corner
+  bool box = false; // bounding box
+};
+
 // Distances: a function of a face and barycentric coordinates, as `Face_distances`, with the largest value.
 template <class Distances>
 class Picture
@@ -51,11 +63,14 @@ class Picture
   static constexpr int strip_rows = 64;
   static constexpr double legend_width = 170; // including its distance from the mesh
   static constexpr double offset_radius = 1.0;
+  static constexpr double boundary_radius = 1.5;
+  static constexpr double box_radius = 0.8;
   static constexpr double path_radius = 1.7;
   static constexpr double barrier_radius = 2.2;
   static constexpr double source_radius = 2.7;
   static constexpr double point_radius = 7;
   static constexpr double halo = 1.3;
+  static constexpr double text_size = 17, text_radius = 1.05;
 
   struct Corner_normals
   {
@@ -72,7 +87,17 @@ class Picture
 
   std::vector<View_point> m_points;
   std::vector<Corner_normals> m_normals;
-  std::vector<std::vector<View_point>> m_offsets, m_barriers, m_paths, m_sources;
+  std::vector<std::vector<View_point>> m_offsets, m_boundaries, m_barriers, m_paths, m_sources, m_box;
+
+  struct Label
+  {
+    double x, y; // middle of its left side
+    std::string text;
+
+    double right() const { return x + text_size * text_width(text); }
+  };
+  std::vector<Label> m_labels;
+  bool m_has_axes = false;
   std::vector<View_point> m_source_points;
 
 public:
@@ -97,6 +122,39 @@ public:
 
   void add_offset(const Polyline& polyline) { m_offsets.push_back(place(polyline)); }
   void add_barrier(const Polyline& polyline) { m_barriers.push_back(place(polyline)); }
+  void add_boundary(const Polyline& polyline) { m_boundaries.push_back(place(polyline)); }
+  void add_axes() { m_has_axes = true; }
+
+  // The edges of a bounding box. Precondition: the extent has its corners.
+  void add_box(const CGAL::Bbox_3& box)
+  {
+    const auto corner = [&](int i) { return place(corner_of(box, i)); };
+    for(int i = 0; i < 8; ++i)
+      for(int bit : {1, 2, 4})
+        if((i & bit) == 0) m_box.push_back({corner(i), corner(i | bit)});
+  }
+
+  // Labels a distance at one of the points, if there is room: the nearest to the viewer, and further up and right.
+  // is_visible(point): whether the surface does not hide the point.
+  template <class Visible>
+  void add_label(double distance, const std::vector<Point>& points, const Visible& is_visible)
+  {
+    constexpr double gap = 6;
+    constexpr std::size_t most_places = 500;
+    std::vector<std::pair<double, Label>> places;
+    for(std::size_t i = 0; i < points.size(); i += points.size() / most_places + 1)
+    {
+      const View_point p = place(points[i]);
+      if(is_visible(points[i])) places.push_back({0.3 * (p[1] - p[0]) - p[2], {p[0] + gap, p[1], label(distance, 4)}});
+    }
+    std::sort(places.begin(), places.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    for(const auto& [rank, l] : places)
+      if(std::none_of(m_labels.begin(), m_labels.end(), [&, &l = l](const Label& other) {
+           return std::abs(other.y - l.y) < text_size + gap && other.x < l.right() + gap && l.x < other.right() + gap;
+         }))
+        return m_labels.push_back(l);
+  }
+
   void add_path(const Polyline& polyline) { m_paths.push_back(place(polyline)); }
   void add_source(const Polyline& polyline) { m_sources.push_back(place(polyline)); }
   void add_source(const Point& point) { m_source_points.push_back(place(point)); }
@@ -111,11 +169,13 @@ public:
     image.bytes.reserve(3 * static_cast<std::size_t>(m_size.width) * static_cast<std::size_t>(m_height));
     const Srgb_encoder encode;
     const auto shade = [this](std::uint32_t thing, float u, float v) { return color_of(thing, u, v); };
-    // none, outline of the surface, offset, white margin of lines, barrier, path, source, text
+    // none, outline of the surface, bounding box, offset, boundary of cells, white margin of lines, barrier, path, source, text
     const std::array<Marking, number_of_marks> markings = {
       {{Color(), 0},
        {srgb(40, 44, 58), 0.75f},
+       {srgb(110, 116, 130), 0.8f},
        {srgb(24, 22, 40), 0.8f},
+       {srgb(0, 92, 60), 1},
        {srgb(255, 255, 255), 1},
        {srgb(0, 0, 0), 1},
        {srgb(24, 60, 190), 1},
@@ -130,6 +190,8 @@ public:
       draw_curves(raster, first, rows);
       raster.outline(static_cast<float>(0.012 * m_depth));
       if(m_largest > 0 && m_size.has_legend) draw_legend(raster);
+      for(const Label& l : m_labels) draw_text(raster, l.text, l.x, l.y, true);
+      if(m_has_axes) draw_axes(raster);
       for(int row = first; row < first + rows; ++row)
       {
         const Color behind =
@@ -291,7 +353,9 @@ private:
         if(std::min(line[i][1], line[i + 1][1]) < first + rows + 12 && std::max(line[i][1], line[i + 1][1]) > first - 12)
           raster.line(line[i], line[i + 1], radius, mark, bias(radius), slope);
     };
+    for(const std::vector<View_point>& line : m_box) draw(line, box_radius, Mark::box);
     for(const std::vector<View_point>& line : m_offsets) draw(line, offset_radius, Mark::offset);
+    for(const std::vector<View_point>& line : m_boundaries) draw(line, boundary_radius, Mark::boundary);
     for(const std::vector<View_point>& line : m_barriers)
     {
       draw(line, barrier_radius + halo, Mark::halo);
@@ -330,10 +394,34 @@ private:
     {
       const double y = bottom - length * tick / m_largest;
       raster.rectangle(right, y - 0.75, right + 9, y + 0.75, legend_frame);
-      constexpr double size = 17;
-      for(const auto& stroke : text_lines(tick == m_largest ? label(tick, 3) : label(tick, 6)))
-        raster.ink(right + 17 + size * stroke.first[0], y + size * (stroke.first[1] - 0.5),
-                   right + 17 + size * stroke.second[0], y + size * (stroke.second[1] - 0.5), 1.05);
+      draw_text(raster, tick == m_largest ? label(tick, 3) : label(tick, 6), right + 17, y, false);
+    }
+  }
+
+  // x, y: the middle of the left side of the text
+  static void draw_text(Raster& raster, const std::string& text, double x, double y, bool has_halo)
+  {
+    const auto lines = text_lines(text);
+    for(const Mark mark : {Mark::halo, Mark::ink})
+      for(const auto& [from, to] : lines)
+        if(mark == Mark::ink || has_halo)
+          raster.ink(x + text_size * from[0], y + text_size * (from[1] - 0.5), x + text_size * to[0],
+                     y + text_size * (to[1] - 0.5), text_radius + (mark == Mark::halo ? 2 * halo : 0), mark);
+  }
+
+  void draw_axes(Raster& raster) const
+  {
+    constexpr double length = 62, from_corner = 95;
+    const double x = from_corner, y = m_height - from_corner;
+    const char* const names[] = {"x", "y", "z"};
+    for(int axis = 0; axis < 3; ++axis)
+    {
+      const View_point v = m_view(Vector(axis == 0, axis == 1, axis == 2));
+      const double size = std::hypot(v[0], v[1]);
+      if(size < 0.05) continue; // towards the viewer
+      raster.ink(x, y, x + length * v[0], y - length * v[1], 1.4);
+      const double at = length + 16 / size;
+      draw_text(raster, names[axis], x + at * v[0] - text_size * 0.3, y - at * v[1], false);
     }
   }
 

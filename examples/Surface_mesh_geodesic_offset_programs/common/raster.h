@@ -21,8 +21,8 @@
 namespace geodesic_offset {
 
 // Marks on top of the surface; larger values cover smaller ones.
-enum class Mark : std::uint8_t { none, outline, offset, halo, barrier, path, source, ink };
-constexpr std::size_t number_of_marks = 8;
+enum class Mark : std::uint8_t { none, outline, box, offset, boundary, halo, barrier, path, source, ink };
+constexpr std::size_t number_of_marks = 10;
 
 struct Marking
 {
@@ -127,9 +127,9 @@ public:
   }
 
   // Line with round ends in front of everything.
-  void ink(double x0, double y0, double x1, double y1, double radius)
+  void ink(double x0, double y0, double x1, double y1, double radius, Mark mark = Mark::ink)
   {
-    stroke({x0, y0, 0}, {x1, y1, 0}, radius, [&](Sample& s, const View_point&) { s.mark = Mark::ink; });
+    stroke({x0, y0, 0}, {x1, y1, 0}, radius, [&](Sample& s, const View_point&) { s.mark = std::max(s.mark, mark); });
   }
 
   // Marks the samples where the surface ends in front of something at least `jump` deeper.

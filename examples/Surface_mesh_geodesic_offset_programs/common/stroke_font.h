@@ -46,6 +46,9 @@ inline std::vector<Stroke> strokes_of(char c)
   case '+': return {{false, {{.05, .55}, {.55, .55}}}, {false, {{.3, .3}, {.3, .8}}}};
   case '.': return {{false, {{.0, .99}, {.0, 1}}}};
   case 'e': return {{true, {{.02, .66}, {.54, .66}}}, {true, {{.54, .66}, {.54, .34}, {.28, .34}, {0, .34}, {0, .67}, {0, 1}, {.3, 1}, {.48, 1}, {.52, .88}}}};
+  case 'x': return {{false, {{.02, .35}, {.55, 1}}}, {false, {{.55, .35}, {.02, 1}}}};
+  case 'y': return {{false, {{.02, .35}, {.3, 1}}}, {false, {{.57, .35}, {.2, 1.25}}}};
+  case 'z': return {{false, {{.02, .35}, {.55, .35}, {.02, 1}, {.57, 1}}}};
   default: return {};
   }
 }
@@ -54,6 +57,14 @@ inline std::vector<Stroke> strokes_of(char c)
 inline double width_of(char c) { return c == '.' ? 0.3 : 0.9; }
 
 } // namespace internal
+
+// Relative to the height.
+inline double text_width(const std::string& text)
+{
+  double width = 0;
+  for(char c : text) width += internal::width_of(c);
+  return width;
+}
 
 // Lines of a text, as pairs of points.
 inline std::vector<std::pair<Stroke_point, Stroke_point>> text_lines(const std::string& text)

@@ -42,6 +42,12 @@ public:
   static Vector normalized(const Vector& v) { return v / std::sqrt(v.squared_length()); }
 };
 
+// One of the eight corners, by the bits of i.
+inline Point corner_of(const CGAL::Bbox_3& box, int i)
+{
+  return Point(i & 1 ? box.xmax() : box.xmin(), i & 2 ? box.ymax() : box.ymin(), i & 4 ? box.zmax() : box.zmin());
+}
+
 // Rectangle of the picture, in units of the mesh.
 struct Extent
 {
@@ -54,17 +60,25 @@ struct Extent
   {
   }
 
+  // Adds the corners of a box.
+  void add(const CGAL::Bbox_3& box, const View& view)
+  {
+    for(int i = 0; i < 8; ++i) add(view(corner_of(box, i)));
+  }
+
   // What the mesh covers.
   Extent(const Mesh& mesh, const View& view)
   {
-    for(Vertex v : mesh.vertices())
+    for(Vertex v : mesh.vertices()) add(view(mesh.point(v)));
+  }
+
+private:
+  void add(const View_point& p)
+  {
+    for(int c = 0; c < 2; ++c)
     {
-      const View_point p = view(mesh.point(v));
-      for(int c = 0; c < 2; ++c)
-      {
-        min[c] = std::min(min[c], p[c]);
-        max[c] = std::max(max[c], p[c]);
-      }
+      min[c] = std::min(min[c], p[c]);
+      max[c] = std::max(max[c], p[c]);
     }
   }
 };

@@ -36,6 +36,7 @@ struct Offsets
 {
   std::vector<Level_figures> levels; // distances with curves, in increasing order
   std::vector<Offset_curve> curves; // in the same order; empty if no output needs all of them
+  std::vector<CGAL::Offset_curve_nesting> places; // of the curves, with --order
   std::size_t points = 0; // of polylines within the chord tolerance
 
   std::size_t number_of_curves() const
@@ -68,11 +69,11 @@ inline std::string add_curve_files(Output_files& files, const Output_options& op
   std::string problem;
   for(const std::string& file : options.outputs)
   {
-    if(Level_files::supports(file)) continue;
+    if(Level_files::is_written_by_level(options, file)) continue;
     const auto write = [&](std::ostream& out) {
       with_point_parameters(options, tolerance, [&](const auto& parameters) {
         return CGAL::IO::write_offset_curves(out, CGAL::IO::offset_file_format(file), offsets.curves,
-                                             parameters.length_unit(options.unit));
+                                             parameters.curve_nesting(offsets.places).length_unit(options.unit));
       });
     };
     try

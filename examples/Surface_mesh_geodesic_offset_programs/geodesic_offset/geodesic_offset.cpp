@@ -13,6 +13,7 @@
 #include "common/sources.h"
 #include "common/version.h"
 #include "barriers.h"
+#include "curve_order.h"
 #include "drawing.h"
 #include "level_files.h"
 #include "levels.h"
@@ -86,7 +87,7 @@ Sources find_sources(const Mesh_input& input, const Options& options, Geodesic& 
                       " leaves no distances: the smallest --start-value is " + short_number(sources.smallest_start_value()));
   if(const std::string useless = useless_side(options, sources); !useless.empty()) progress.warning(useless);
   if(options.has_levels() && !options.shows_offsets())
-    progress.line("offsets: in no file, as there is no --output, --split, --picture or --stats");
+    progress.line("offsets: in no file, as there is no --output, --split, --bands, --picture or --stats");
   return sources;
 }
 
@@ -151,6 +152,7 @@ Solution solve(const Mesh_input& input, const Sources& sources, const Levels& le
   Offsets offsets = build_and_cut(geodesic, sources, figures.insides, levels, options, chord_tolerance(options, input), drawing,
                                   level_files, progress);
   level_files.finish();
+  if(options.order != Curve_order::as_cut) offsets.places = order_curves(offsets.curves, options.order);
   File_field field(input, geodesic, !options.fields.empty() && sources.has_polylines(), options.field_details,
                    options.has_tolerance());
   figures.largest_distance = geodesic.largest_distance().value();

@@ -35,12 +35,18 @@ public:
     return CGAL::IO::Offset_level_writer::supports(CGAL::IO::offset_file_format(file));
   }
 
+  // Whether a file is written here.
+  static bool is_written_by_level(const Output_options& options, const std::string& file)
+  {
+    return supports(file) && options.order == Curve_order::as_cut;
+  }
+
   // Throws Input_error, here and below, if a file cannot be written.
   Level_files(Output_files& files, const Output_options& options, double tolerance) : m_files(files)
   {
     using CGAL::IO::Offset_level_writer;
     for(const std::string& file : options.outputs)
-      if(supports(file))
+      if(is_written_by_level(options, file))
         m_open.push_back({file, with_point_parameters(options, tolerance, [&](const auto& parameters) {
                             return std::make_unique<Offset_level_writer>(files.open(file), CGAL::IO::offset_file_format(file),
                                                                          parameters);

@@ -38,7 +38,7 @@ inline bool is_only_drawn(const Options& options)
 // Whether some output needs all offsets at once.
 inline bool needs_all_curves(const Options& options)
 {
-  return !options.split.empty() || !options.picture.empty() ||
+  return options.has_split_mesh() || !options.picture.empty() || options.order != Curve_order::as_cut ||
          !std::all_of(options.outputs.begin(), options.outputs.end(), Level_files::supports);
 }
 

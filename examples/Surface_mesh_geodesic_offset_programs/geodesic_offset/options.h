@@ -73,7 +73,10 @@ struct Options : Source_options, Level_options, Query_options, Output_options
   bool needs_field() const { return shows_field() || has_paths() || farthest_point; }
 
   // Whether answers are needed for points inside faces.
-  bool needs_windows() const { return !split.empty() || !voronoi.empty() || !path_points.empty(); }
+  bool needs_windows() const
+  {
+    return has_split_mesh() || !voronoi.empty() || picture_details.boundaries || !path_points.empty();
+  }
 };
 
 namespace internal {
@@ -119,10 +122,12 @@ inline void check_tolerances(const po::variables_map& map, const Options& option
 {
   const std::pair<const char*, bool> exact[] = {
     {"split", !options.split.empty()},
+    {"bands", !options.bands.empty()},
     {"path-from", map.count("path-from") != 0},
     {"path-from-vertex", map.count("path-from-vertex") != 0},
     {"farthest-point", options.farthest_point},
     {"voronoi", !options.voronoi.empty()},
+    {"picture-with voronoi", options.picture_details.boundaries},
     {"field-details", options.field_details}};
   for(const char* tolerance : {"relative-tolerance", "merging-tolerance"})
     for(const auto& [option, is_given] : exact)
@@ -158,8 +163,9 @@ inline Options checked_options(const po::variables_map& map)
   options.threads = number_of_threads(map);
   options.borders = border_joining(map);
   options.quiet = map["quiet"].as<bool>();
-  if(!options.split.empty() && !options.takes_everything())
-    throw Usage_error("--split needs the offsets on both sides with round ends, without --side and --end");
+  if(options.has_split_mesh() && !options.takes_everything())
+    throw Usage_error(std::string(options.split.empty() ? "--bands" : "--split") +
+                      " needs the offsets on both sides with round ends, without --side and --end");
   check_tolerances(map, options);
   check_different_files(options.files_read(), options.files_written());
   return options;

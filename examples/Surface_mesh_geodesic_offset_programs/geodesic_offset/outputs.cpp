@@ -3,6 +3,7 @@
 
 #include "outputs.h"
 
+#include "common/file_identity.h"
 #include "drawing.h"
 #include "picture_output.h"
 #include "png_output.h"
@@ -10,7 +11,9 @@
 #include "voronoi_output.h"
 
 #include <cstdint>
+#include <cstddef>
 #include <cstdio>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -28,6 +31,31 @@ Output_files::Report writing_bar(Progress& progress)
   };
 }
 
+namespace {
+
+// Throws Usage_error and Input_error.
+void add_band_files(Output_files& files, const Split_mesh& split, const Options& options)
+{
+  constexpr std::size_t most_files = 10000; // more are a typing error
+  const std::map<std::size_t, std::vector<Face>> parts = split.parts(options.has_bands_by_source ? "source" : "band");
+  if(parts.size() > most_files)
+    throw Usage_error("--bands would write " + std::to_string(parts.size()) + " files; there can be no more than " +
+                      std::to_string(most_files));
+  std::vector<std::string> others = options.files_read(), names;
+  for(const std::string& file : options.files_written()) others.push_back(file);
+  for(const auto& [value, faces] : parts)
+  {
+    names.push_back(options.file_of_band(value == Geodesic::no_source() ? "none" : std::to_string(value)));
+    if(value == 0) continue; // checked before
+    Output_files::check(names.back());
+    check_different_files(others, {names.back()});
+  }
+  auto name = names.begin();
+  for(const auto& part : parts) files.add(*name++, [&](std::ostream& out) { split.write(out, part.second); });
+}
+
+} // namespace
+
 void write_outputs(const Solution& solution, const Mesh_input& input, const Sources& sources, const Path_queries& queries,
                    Geodesic& geodesic, const Options& options, Output_files& files, const Run_figures& figures,
                    Progress& progress)
@@ -39,12 +67,14 @@ void write_outputs(const Solution& solution, const Mesh_input& input, const Sour
     files.add(
       file, [&](std::ostream& out) { write_field(out, file, input.soup(), solution.field); },
       bytes_of_field(file, input.soup(), solution.field));
-  if(!options.split.empty())
+  if(options.has_split_mesh())
   {
     progress.show("splitting " + quoted(options.mesh));
     const Split_mesh split(input.mesh(), geodesic, curves, chord_tolerance(options, input));
-    files.add(
-      options.split, [&](std::ostream& out) { split.write(out); }, split.number_of_bytes());
+    if(!options.split.empty())
+      files.add(
+        options.split, [&](std::ostream& out) { split.write(out); }, split.number_of_bytes());
+    if(!options.bands.empty()) add_band_files(files, split, options);
   }
   if(!options.voronoi.empty())
     add_voronoi_files(files, options.voronoi, input.mesh(), geodesic, chord_tolerance(options, input), progress);
@@ -59,7 +89,8 @@ void write_outputs(const Solution& solution, const Mesh_input& input, const Sour
   }
   if(!options.stats.empty())
     files.add(options.stats, [&](std::ostream& out) {
-      write_stats(out, figures, solution.statistics, with_requested(solution.offsets.levels, options.distances));
+      write_stats(out, figures, solution.statistics, with_requested(solution.offsets.levels, options.distances),
+                  solution.offsets);
     });
   files.commit();
   for(const std::string& file : files.targets()) progress.line("wrote " + file);

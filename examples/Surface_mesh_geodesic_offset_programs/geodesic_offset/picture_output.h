@@ -21,6 +21,7 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <map>
 #include <vector>
 
 namespace geodesic_offset {
@@ -85,7 +86,24 @@ inline Image picture_of(Geodesic& geodesic, const Mesh_input& input, const Sourc
 {
   const Mesh& mesh = input.mesh();
   const Face_distances distances = internal::face_distances(geodesic, input, options, largest, progress);
-  Picture picture(mesh, distances, internal::view_of(options, mesh, sources));
+  const View view = internal::view_of(options, mesh, sources);
+  const Picture_details& details = options.picture_details;
+  Extent extent(mesh, view);
+  CGAL::Bbox_3 box;
+  for(Face f : mesh.faces())
+    for(Vertex v : mesh.vertices_around_face(mesh.halfedge(f))) box += mesh.point(v).bbox();
+  if(details.box) extent.add(box, view);
+  Picture picture(mesh, distances, view, extent, Picture_size());
+  if(details.box) picture.add_box(box);
+  if(details.axes) picture.add_axes();
+  if(details.boundaries)
+    for(const auto& curve : geodesic.field().voronoi_diagram().curves())
+    {
+      Polyline polyline;
+      curve.points(picture.chord_tolerance(), std::back_inserter(polyline));
+      picture.add_boundary(polyline);
+    }
+  std::map<double, Polyline> at_distance;
   for(const Point& point : sources.points()) picture.add_source(point);
   for(const Polyline& polyline : sources.polylines()) picture.add_source(polyline);
   for(const Offset_curve& curve : curves)
@@ -93,6 +111,17 @@ inline Image picture_of(Geodesic& geodesic, const Mesh_input& input, const Sourc
     Polyline polyline;
     curve.points(picture.chord_tolerance(), std::back_inserter(polyline));
     picture.add_offset(polyline);
+    if(details.labels)
+    {
+      Polyline& points = at_distance[curve.distance()];
+      points.insert(points.end(), polyline.begin(), polyline.end());
+    }
+  }
+  if(details.labels)
+  {
+    const internal::Depth_probe probe(mesh, view);
+    for(const auto& [distance, points] : at_distance)
+      picture.add_label(distance, points, [&](const Point& p) { return probe.is_visible(view(p)); });
   }
   for(const Surface_path& path : paths) picture.add_path(path.points);
   for(Edge e : mesh.edges())

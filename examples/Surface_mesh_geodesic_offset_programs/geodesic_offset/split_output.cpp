@@ -65,21 +65,47 @@ Split_mesh::Split_mesh(const Mesh& mesh, const Geodesic::Field::Voronoi_diagram&
 
 void Split_mesh::write(std::ostream& out) const
 {
+  write(out, {m_mesh.vertices().begin(), m_mesh.vertices().end()}, {m_mesh.faces().begin(), m_mesh.faces().end()});
+}
+
+void Split_mesh::write(std::ostream& out, const std::vector<Face>& faces) const
+{
+  std::vector<Vertex> vertices;
+  for(Face f : faces)
+    for(Vertex v : m_mesh.vertices_around_face(m_mesh.halfedge(f))) vertices.push_back(v);
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  write(out, vertices, faces);
+}
+
+std::map<std::size_t, std::vector<Face>> Split_mesh::parts(const std::string& property) const
+{
+  const auto named =
+    std::find_if(m_properties.begin(), m_properties.end(), [&](const Property& p) { return p.name == property; });
+  std::map<std::size_t, std::vector<Face>> result;
+  for(Face f : m_mesh.faces()) result[named->map[f]].push_back(f);
+  return result;
+}
+
+// `vertices`: those of the faces, in increasing order.
+void Split_mesh::write(std::ostream& out, const std::vector<Vertex>& vertices, const std::vector<Face>& faces) const
+{
   out << "ply\nformat binary_little_endian 1.0\ncomment mesh split along geodesic curves\n"
-      << "element vertex " << m_mesh.number_of_vertices() << "\n"
+      << "element vertex " << vertices.size() << "\n"
       << "property double x\nproperty double y\nproperty double z\n"
-      << "element face " << m_mesh.number_of_faces() << "\nproperty list uchar int vertex_indices\n";
+      << "element face " << faces.size() << "\nproperty list uchar int vertex_indices\n";
   for(const Property& property : m_properties) out << "property int " << property.name << "\n";
   out << "property uchar red\nproperty uchar green\nproperty uchar blue\nend_header\n";
   Byte_writer bytes(out, Byte_order::little);
-  for(Vertex v : m_mesh.vertices())
+  for(Vertex v : vertices)
     for(int c = 0; c < 3; ++c) bytes.write(m_mesh.point(v)[c]);
   const Color gray = srgb(160, 160, 160);
   const Srgb_encoder encode;
-  for(Face f : m_mesh.faces())
+  for(Face f : faces)
   {
     bytes.write(std::uint8_t(3));
-    for(Vertex v : m_mesh.vertices_around_face(m_mesh.halfedge(f))) bytes.write(static_cast<std::uint32_t>(v));
+    for(Vertex v : m_mesh.vertices_around_face(m_mesh.halfedge(f)))
+      bytes.write(static_cast<std::uint32_t>(std::lower_bound(vertices.begin(), vertices.end(), v) - vertices.begin()));
     for(const Property& property : m_properties)
     {
       const std::size_t value = property.map[f];

@@ -11,7 +11,9 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <ostream>
+#include <string>
 #include <vector>
 
 namespace geodesic_offset {
@@ -30,6 +32,7 @@ class Split_mesh
   std::vector<Color> m_colors; // per value of the first property
 
   Property& add_property(const char* name);
+  void write(std::ostream& out, const std::vector<Vertex>& vertices, const std::vector<Face>& faces) const;
 
 public:
   // Faces have their band, the number of distances with offsets that they are not nearer than, and the source nearest to their
@@ -42,6 +45,12 @@ public:
 
   // As binary PLY: faces with their properties (-1: none) and the colour of the first one.
   void write(std::ostream& out) const;
+
+  // The same with some faces and their vertices only.
+  void write(std::ostream& out, const std::vector<Face>& faces) const;
+
+  // Faces by the value of a property.
+  std::map<std::size_t, std::vector<Face>> parts(const std::string& property) const;
 
   // Size without the header.
   std::uintmax_t number_of_bytes() const;

@@ -20,6 +20,7 @@
 #include <map>
 #include <optional>
 #include <ostream>
+#include <string>
 #include <vector>
 
 namespace geodesic_offset {
@@ -68,8 +69,29 @@ inline std::uintmax_t peak_rss_bytes()
 #endif
 }
 
+// Places of the curves in the tree of nesting, with --order.
+inline void write_nesting(std::ostream& out, const Offsets& offsets)
+{
+  if(offsets.places.empty()) return;
+  const char* separator = "\n";
+  out << "  \"nesting\": [";
+  for(std::size_t i = 0; i < offsets.places.size(); ++i)
+  {
+    const CGAL::Offset_curve_nesting& place = offsets.places[i];
+    out << separator << "    {\"curve\": " << i << ", \"distance\": " << offsets.curves[i].distance()
+        << ", \"closed\": " << (offsets.curves[i].is_closed() ? "true" : "false") << ", \"parent\": "
+        << (place.depth > 0 ? std::to_string(place.parent) : "null") << ", \"depth\": " << place.depth << ", \"inner_side\": "
+        << (place.inner_side == CGAL::LEFT_TURN    ? "\"left\""
+            : place.inner_side == CGAL::RIGHT_TURN ? "\"right\""
+                                                   : "null")
+        << '}';
+    separator = ",\n";
+  }
+  out << "\n  ],\n";
+}
+
 inline void write_stats(std::ostream& out, const Run_figures& run, const Geodesic::Statistics& solver,
-                        const std::vector<Level_figures>& levels)
+                        const std::vector<Level_figures>& levels, const Offsets& offsets)
 {
   out.precision(std::numeric_limits<double>::max_digits10);
   out << "{\n"
@@ -120,6 +142,7 @@ inline void write_stats(std::ostream& out, const Run_figures& run, const Geodesi
     out << "\n  ],\n";
     separator = "\n";
   }
+  write_nesting(out, offsets);
   out << "  \"curves\": [";
   for(const Level_figures& level : levels)
   {

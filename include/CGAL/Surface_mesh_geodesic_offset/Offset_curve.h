@@ -17,7 +17,9 @@
 #include <boost/iterator/transform_iterator.hpp>
 #include <boost/range/iterator_range.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -50,7 +52,7 @@ class Geodesic_offset_curve
   typedef Geodesic_offset::internal::Level_piece<typename Surface_::Number> Level_piece;
   typedef Geodesic_offset::internal::Curve_context<Surface_> Context;
 
-  friend Context; // makes curves
+  friend Context; // makes and reads curves
 
   Geodesic_offset_curve(std::shared_ptr<const Context> context, const typename Surface_::FT& distance,
                         const typename Surface_::FT& tolerance, bool closed, std::vector<Level_piece> pieces)
@@ -141,7 +143,7 @@ public:
   /// curve passes a vertex, belong to the element before.
   ///
   /// Each element ends where the next one starts. The elements cover the curve; an element of a closed curve may contain the start
-  /// of `piece(0)`, and is then the first element. A closed curve that is a circle is one element.
+  /// of `piece(0)`, and is then the first element, unless the start was chosen. A closed curve that is a circle is one element.
   ///
   /// Takes time \f$ O(n \log a) \f$ for \f$ n \f$ pieces, if the sum of the areas of their faces is \f$ a \f$ times the smallest.
   /// \param tolerance a length; not negative
@@ -263,6 +265,30 @@ public:
     return exported(l > 0 ? Space_vector(sum / l) : sum);
   }
 
+  /// the closed curve with another start: the point of the i-th piece at the parameter `t` from 0 to 1, see `Piece::point_2()`.
+  ///
+  /// Inside a piece, the start divides it in two. `points()`, `elements()` and the files then begin there, too. Takes time linear
+  /// in the number of pieces.
+  /// \pre `is_closed()` and `i < number_of_pieces()`
+  Geodesic_offset_curve starting_at(std::size_t i, const FT& t) const
+  {
+    CGAL_precondition(m_closed && i < m_pieces.size());
+    Geodesic_offset_curve result = *this;
+    std::vector<Level_piece>& pieces = result.m_pieces;
+    if (t > FT(0) && t < FT(1))
+    {
+      pieces.insert(pieces.begin() + std::ptrdiff_t(i), pieces[i]);
+      pieces[i].end = pieces[i + 1].start = piece(i).at(t, piece(i).angle());
+      pieces[i].end_edge = pieces[i + 1].start_edge = 3;
+    }
+    std::rotate(pieces.begin(), pieces.begin() + std::ptrdiff_t(t > FT(0) ? i + 1 : i), pieces.end());
+    result.m_has_chosen_start = true;
+    return result;
+  }
+
+  /// whether the start was chosen with `starting_at()`.
+  bool has_chosen_start() const { return m_has_chosen_start; }
+
   /// calls `f(location, i)` for points along the curve, where `i` is the index of the piece that contains the point.
   ///
   /// Both ends of each piece are among the points, so two consecutive points share the face of a piece.
@@ -304,9 +330,9 @@ public:
   /// `discretize()`, except that a closed curve has four points at least, the last one being the first.
   ///
   /// All points are on the curve. The first and last points of an open curve are its ends. A closed curve repeats its first
-  /// point at the end, which need not be the start of `piece(0)`: it is the end of a piece, at the sharpest turn. The polyline
-  /// of a closed curve has three different vertices at least, however large the tolerance. Where a level is the distance of a
-  /// ridge up to rounding, a closed curve may lie on one line: then there are two or three points.
+  /// point at the end, which need not be the start of `piece(0)`, unless that was chosen: it is the end of a piece, at the sharpest
+  /// turn. The polyline of a closed curve has three different vertices at least, however large the tolerance. Where a level is the
+  /// distance of a ridge up to rounding, a closed curve may lie on one line: then there are two or three points.
   /// \throws std::invalid_argument unless `chord_tolerance > 0`
   /// \throws std::length_error if the curve has more than 20,000,000 chords in `discretize()`, before any output. The points
   ///         need up to 200 bytes of memory per chord.
@@ -343,7 +369,7 @@ private:
 
   std::shared_ptr<const Context> m_context;
   FT m_distance, m_tolerance;
-  bool m_closed;
+  bool m_closed, m_has_chosen_start = false;
   std::vector<Level_piece> m_pieces;
 };
 

@@ -89,7 +89,7 @@ public:
     if (format == Offset_file_format::VTP) m_lines = Vtp_lines();
     else if (format == Offset_file_format::OBJ) m_lines = Obj_lines();
     else if (format == Offset_file_format::CSV) m_lines = Csv_lines();
-    std::visit([&](auto& lines) { lines.begin(m_os); }, m_lines);
+    std::visit([&](auto& lines) { lines.begin(m_os, m_options); }, m_lines);
   }
 
   /// writes further curves.

@@ -20,7 +20,11 @@ namespace Surface_mesh_geodesic_offset_internal {
 class Csv_lines
 {
 public:
-  static void begin(std::ostream& os) { os << "curve,distance,source,side,x,y,z,nx,ny,nz,face,b0,b1,b2,tx,ty,tz\n"; }
+  static void begin(std::ostream& os, const Point_options& options)
+  {
+    os << "curve,distance,source,side,x,y,z,nx,ny,nz,face,b0,b1,b2,tx,ty,tz"
+       << (options.places.empty() ? "\n" : ",parent,inner_side\n");
+  }
 
   template <class OffsetCurveRange>
   void add(std::ostream& os, const OffsetCurveRange& curves, const Point_options& options)
@@ -39,6 +43,7 @@ public:
         os << ',' << p.face;
         write(p.weights);
         write(p.tangent);
+        if (!options.places.empty()) os << ',' << options.places[m_curve].parent << ',' << options.places[m_curve].inner_side;
         os << '\n';
       }
       ++m_curve;
@@ -69,7 +74,8 @@ Each row is a point of a curve, in order. The columns are
 - `face`, `b0`, `b1`, `b2`: the index of the face of the first piece, `Geodesic_offset_piece::face_index()`, and the barycentric
   coordinates of the point with respect to its vertices, in the order of `vertices_around_face(halfedge(face, tm), tm)`: for
   `Surface_mesh`, that in which the face was added;
-- `tx`, `ty`, `tz`: the unit vector in the direction of travel, at the end of the first piece.
+- `tx`, `ty`, `tz`: the unit vector in the direction of travel, at the end of the first piece;
+- with `curve_nesting` only, `parent` and `inner_side`: those of the curve.
 
 \tparam OffsetCurveRange a model of `ConstRange` with `Surface_mesh_geodesic_offset::Offset_curve` as value type
 \param os the stream
@@ -94,6 +100,9 @@ Each row is a point of a curve, in order. The columns are
     \cgalParamType{`bool`}
     \cgalParamDefault{`false`}
   \cgalParamNEnd
+  \cgalParamNBegin{curve_nesting}
+    \cgalParamDescription{as in `write_offset_curves()`}
+  \cgalParamNEnd
 \cgalNamedParamsEnd
 
 \return whether the stream is still good.
@@ -106,7 +115,7 @@ bool write_offset_CSV(std::ostream& os, const OffsetCurveRange& curves,
 {
   return Surface_mesh_geodesic_offset_internal::write_lines<Surface_mesh_geodesic_offset_internal::Csv_lines>(
     os, curves,
-    Surface_mesh_geodesic_offset_internal::point_options_of<Geodesic_offset::internal::Point_parameters>(curves, np));
+    Surface_mesh_geodesic_offset_internal::point_options_of<Geodesic_offset::internal::Table_parameters>(curves, np));
 }
 
 } // namespace IO

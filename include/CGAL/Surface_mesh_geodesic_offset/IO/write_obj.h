@@ -22,7 +22,7 @@ namespace Surface_mesh_geodesic_offset_internal {
 class Obj_lines
 {
 public:
-  static void begin(std::ostream& os) { os << "# geodesic offsets\n"; }
+  static void begin(std::ostream& os, const Point_options&) { os << "# geodesic offsets\n"; }
 
   template <class OffsetCurveRange>
   void add(std::ostream& os, const OffsetCurveRange& curves, const Point_options& options)

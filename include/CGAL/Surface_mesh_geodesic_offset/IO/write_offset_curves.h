@@ -103,6 +103,13 @@ private:
     \cgalParamType{`bool`}
     \cgalParamDefault{`false`}
   \cgalParamNEnd
+  \cgalParamNBegin{curve_nesting}
+    \cgalParamDescription{the places of the curves in the tree of nesting, which VTK, VTP and CSV files then have per curve:
+                          `parent` (the index of the curve, -1 without one) and `inner_side` (0 none, 1 left, 2 right)}
+    \cgalParamType{a range of `Offset_curve_nesting`, copied, as `nest_offset_curves()` returns it}
+    \cgalParamDefault{none}
+    \cgalParamExtra{Throws `std::invalid_argument` if it has another size than the curves.}
+  \cgalParamNEnd
   \cgalParamNBegin{length_unit}
     \cgalParamDescription{the unit of the mesh, for DXF and SVG; other formats have no unit}
     \cgalParamType{`IO::Length_unit`}

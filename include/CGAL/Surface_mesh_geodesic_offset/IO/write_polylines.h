@@ -19,7 +19,7 @@ namespace Surface_mesh_geodesic_offset_internal {
 // Writes ranges of curves one after the other into one file.
 struct Polyline_lines
 {
-  static void begin(std::ostream&) {}
+  static void begin(std::ostream&, const Point_options&) {}
 
   template <class OffsetCurveRange>
   static void add(std::ostream& os, const OffsetCurveRange& curves, const Point_options& options)

@@ -48,13 +48,20 @@ bool write_vtk(std::ostream& os, const OffsetCurveRange& curves, const Point_opt
   // readers load only the first of several scalars by default, but all fields
   os << "CELL_DATA " << lines.size() << "\nSCALARS distance double 1\nLOOKUP_TABLE default\n";
   for (const auto& line : lines) os << line.distance << '\n';
-  os << "FIELD curves 3\nclosed 1 " << lines.size() << " int\n";
+  os << "FIELD curves " << (options.places.empty() ? 3 : 5) << "\nclosed 1 " << lines.size() << " int\n";
   for (const auto& line : lines) os << (line.is_closed ? 1 : 0) << '\n';
   os << "source 1 " << lines.size() << " int\n";
   for (const auto& line : lines) os << line.common(&Line_point::source) << '\n';
   os << "side 1 " << lines.size() << " int\n";
   for (const auto& line : lines) os << line.common(&Line_point::side) << '\n';
 
+  if (!options.places.empty())
+  {
+    os << "parent 1 " << lines.size() << " int\n";
+    for (const auto& line : lines) os << line.place.parent << '\n';
+    os << "inner_side 1 " << lines.size() << " int\n";
+    for (const auto& line : lines) os << line.place.inner_side << '\n';
+  }
   os << "POINT_DATA " << number_of_points << "\nFIELD points 5\nsource 1 " << number_of_points << " int\n";
   write(&Line_point::source);
   os << "side 1 " << number_of_points << " int\n";
@@ -79,7 +86,8 @@ bool write_vtk(std::ostream& os, const OffsetCurveRange& curves, const Point_opt
 
 Each curve is one line. A closed line ends with the index of its first point. The arrays are
 - for lines: `distance`, `closed` (1 or 0), `source` (the id of the source), and `side` (0 none, 1 left, 2 right, 3 cap,
-  as in `Source_side`). The last two are -1 if a curve belongs to several sources or sides;
+  as in `Source_side`). The last two are -1 if a curve belongs to several sources or sides; with `curve_nesting`, also `parent`
+  and `inner_side`;
 - for points: `source`, `side`, `normal` (the outer unit normal of the face, or the smooth normal), `tangent` (the unit vector in the
   direction of travel), `face` and `barycentric` (the index of the face, and the coordinates in it, as in `write_offset_CSV()`).
   A point between two pieces has the values of the first piece. Independent of the tolerance, but not with a spacing, all points where source or side change are points of the line, so each
@@ -111,6 +119,9 @@ to colour the curves.
     \cgalParamType{`bool`}
     \cgalParamDefault{`false`}
   \cgalParamNEnd
+  \cgalParamNBegin{curve_nesting}
+    \cgalParamDescription{as in `write_offset_curves()`}
+  \cgalParamNEnd
 \cgalNamedParamsEnd
 
 \return whether the stream is still good.
@@ -122,7 +133,7 @@ bool write_offset_VTK(std::ostream& os, const OffsetCurveRange& curves,
                       const NamedParameters& np = parameters::default_values())
 {
   namespace internal = Surface_mesh_geodesic_offset_internal;
-  return internal::write_vtk(os, curves, internal::point_options_of<Geodesic_offset::internal::Point_parameters>(curves, np));
+  return internal::write_vtk(os, curves, internal::point_options_of<Geodesic_offset::internal::Table_parameters>(curves, np));
 }
 
 } // namespace CGAL::IO

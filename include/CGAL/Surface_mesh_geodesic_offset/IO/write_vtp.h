@@ -22,7 +22,7 @@ namespace Surface_mesh_geodesic_offset_internal {
 class Vtp_lines
 {
 public:
-  static void begin(std::ostream& os)
+  static void begin(std::ostream& os, const Point_options&)
   {
     os << "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\">\n<PolyData>\n";
   }
@@ -55,6 +55,11 @@ public:
     write_array(os, lines, "Int64", "Name=\"source\"",
                 [&](const Curve_line& l) { os << l.common(&Line_point::source) << '\n'; });
     write_array(os, lines, "Int64", "Name=\"side\"", [&](const Curve_line& l) { os << l.common(&Line_point::side) << '\n'; });
+    if (!options.places.empty())
+    {
+      write_array(os, lines, "Int64", "Name=\"parent\"", [&](const Curve_line& l) { os << l.place.parent << '\n'; });
+      write_array(os, lines, "Int64", "Name=\"inner_side\"", [&](const Curve_line& l) { os << l.place.inner_side << '\n'; });
+    }
     os << "</CellData>\n<Points>\n";
     write_points("NumberOfComponents=\"3\"", &Line_point::point);
     os << "</Points>\n<Lines>\n";
@@ -121,6 +126,9 @@ see `Offset_level_writer`; each level is then a piece of the file, which readers
     \cgalParamType{`bool`}
     \cgalParamDefault{`false`}
   \cgalParamNEnd
+  \cgalParamNBegin{curve_nesting}
+    \cgalParamDescription{as in `write_offset_curves()`}
+  \cgalParamNEnd
 \cgalNamedParamsEnd
 
 \return whether the stream is still good.
@@ -133,7 +141,7 @@ bool write_offset_VTP(std::ostream& os, const OffsetCurveRange& curves,
 {
   return Surface_mesh_geodesic_offset_internal::write_lines<Surface_mesh_geodesic_offset_internal::Vtp_lines>(
     os, curves,
-    Surface_mesh_geodesic_offset_internal::point_options_of<Geodesic_offset::internal::Point_parameters>(curves, np));
+    Surface_mesh_geodesic_offset_internal::point_options_of<Geodesic_offset::internal::Table_parameters>(curves, np));
 }
 
 } // namespace IO

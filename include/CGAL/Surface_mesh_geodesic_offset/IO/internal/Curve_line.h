@@ -36,6 +36,7 @@ struct Curve_line
   std::vector<Line_point> points;
   double distance = 0;
   bool is_closed = false;
+  Point_options::Place place{-1, 0};
 
   std::size_t number_of_indices() const { return points.size() + (is_closed ? 1 : 0); }
 
@@ -102,7 +103,11 @@ template <class CurveRange>
 std::vector<Curve_line> curve_lines(const CurveRange& curves, const Point_options& options)
 {
   std::vector<Curve_line> lines;
-  for (const auto& curve : curves) lines.push_back(curve_line(curve, options));
+  for (const auto& curve : curves)
+  {
+    lines.push_back(curve_line(curve, options));
+    if (!options.places.empty()) lines.back().place = options.places[lines.size() - 1];
+  }
   return lines;
 }
 

@@ -19,11 +19,13 @@
 #include <array>
 #include <cstddef>
 #include <ios>
+#include <iterator>
 #include <limits>
 #include <locale>
 #include <optional>
 #include <ostream>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -97,6 +99,14 @@ struct Point_options
   double chord_tolerance;
   std::optional<double> spacing; // instead of the tolerance
   bool has_smooth_normals = false;
+
+  // In the tree of nesting: -1 without a parent; sides as in Source_side.
+  struct Place
+  {
+    long long parent;
+    int inner_side;
+  };
+  std::vector<Place> places; // by curve; empty if they are not written
 };
 
 // \throws std::invalid_argument unless the tolerance and the spacing are positive
@@ -114,6 +124,8 @@ void check_numbers_of_points(const CurveRange& curves, const Point_options& opti
 {
   namespace internal = Geodesic_offset::internal;
   check_point_options(options);
+  if (!options.places.empty() && options.places.size() != std::size_t(std::distance(std::begin(curves), std::end(curves))))
+    throw std::invalid_argument("Surface_mesh_geodesic_offset: curve_nesting() must have as many places as there are curves");
   for (const auto& curve : curves)
   {
     typedef typename std::decay<decltype(curve)>::type::FT FT;
@@ -163,7 +175,7 @@ bool write_lines(std::ostream& os, const CurveRange& curves, const Point_options
 {
   check_numbers_of_points(curves, options); // before any output
   Lines lines;
-  lines.begin(os);
+  lines.begin(os, options);
   lines.add(os, curves, options);
   lines.end(os);
   return os.good();

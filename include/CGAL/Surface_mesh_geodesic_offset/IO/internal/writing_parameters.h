@@ -14,6 +14,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/parameters/named_parameters.h>
 
 #include <CGAL/Bbox_3.h>
+#include <CGAL/enum.h>
 #include <CGAL/number_utils.h>
 
 #include <cmath>
@@ -43,6 +44,12 @@ Point_options other_point_options(const NamedParameters& np)
     options.spacing = CGAL::to_double(parameters::get_parameter(np, internal_np::geodesic_point_spacing));
   options.has_smooth_normals =
     parameters::choose_parameter(parameters::get_parameter(np, internal_np::geodesic_smooth_normals), false);
+  if constexpr (Geodesic_offset::internal::has_parameter<internal_np::geodesic_curve_nesting_t, NamedParameters>)
+    for (const auto& place : parameters::get_parameter(np, internal_np::geodesic_curve_nesting))
+      options.places.push_back({place.depth > 0 ? static_cast<long long>(place.parent) : -1,
+                                place.inner_side == LEFT_TURN    ? 1
+                                : place.inner_side == RIGHT_TURN ? 2
+                                                                 : 0});
   return options;
 }
 

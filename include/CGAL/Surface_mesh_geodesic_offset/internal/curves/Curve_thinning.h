@@ -71,7 +71,7 @@ public:
     check_number_of_chords(curve, tolerance);
   }
 
-  // Points of the whole curve. A closed curve may start at any end of a piece, and ends with its first point. is_kept(i):
+  // Points of the whole curve. A closed curve without a chosen start may start at any end of a piece, and ends with its first point. is_kept(i):
   // whether the end of piece i must be selected.
   template <class Condition>
   std::vector<Curve_point> whole(const Condition& is_kept) const
@@ -79,7 +79,7 @@ public:
     if (m_curve.number_of_pieces() == 0) return std::vector<Curve_point>();
     const double tolerance = CGAL::to_double(m_tolerance);
     Candidates few = without_straight_parts(candidates(is_kept, 1));
-    if (m_curve.is_closed()) turn_to_corner(few);
+    if (m_curve.is_closed() && !m_curve.has_chosen_start()) turn_to_corner(few);
     std::vector<Curve_point> result = selected(few, Polyline_thinning(few.vertices, tolerance)());
     if (!m_curve.is_closed() || result.size() >= 4) return result;
     // A closed curve within the tolerance of a point or segment remains a triangle. At least two of its pieces are not

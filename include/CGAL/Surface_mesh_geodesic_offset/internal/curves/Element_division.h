@@ -141,7 +141,7 @@ public:
     }
     for (std::size_t i = 0; i < n; ++i)
       if (m_ranges.empty() || !extend(m_ranges.back(), i)) m_ranges.push_back(range_of(i));
-    if (curve.is_closed() && m_ranges.size() > 1) join_ends();
+    if (curve.is_closed() && !curve.has_chosen_start() && m_ranges.size() > 1) join_ends();
   }
 
   const std::vector<Element_range>& ranges() const { return m_ranges; }

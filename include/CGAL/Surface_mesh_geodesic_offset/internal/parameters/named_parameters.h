@@ -77,7 +77,8 @@ typedef Parameter_tags<internal_np::geodesic_length_unit_t> Unit_parameters;
 typedef Joined_tags<Chord_parameters, Unit_parameters> Drawing_parameters;
 typedef Joined_tags<Chord_parameters, Parameter_tags<internal_np::geodesic_point_spacing_t>> Line_parameters;
 typedef Joined_tags<Line_parameters, Parameter_tags<internal_np::geodesic_smooth_normals_t>> Point_parameters;
-typedef Joined_tags<Point_parameters, Unit_parameters> Writing_parameters;
+typedef Joined_tags<Point_parameters, Parameter_tags<internal_np::geodesic_curve_nesting_t>> Table_parameters;
+typedef Joined_tags<Table_parameters, Unit_parameters> Writing_parameters;
 typedef Parameter_tags<internal_np::geodesic_chord_tolerance_t, internal_np::edge_is_constrained_t, internal_np::vertex_point_t,
                        internal_np::visitor_t, internal_np::geodesic_face_band_t, internal_np::geodesic_face_source_t,
                        internal_np::geodesic_distance_field_t, internal_np::geodesic_vertex_distance_t>

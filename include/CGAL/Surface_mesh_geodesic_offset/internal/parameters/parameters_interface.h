@@ -38,6 +38,7 @@ CGAL_add_named_parameter(geodesic_chord_tolerance_t, geodesic_chord_tolerance, c
 CGAL_add_named_parameter(geodesic_length_unit_t, geodesic_length_unit, length_unit)
 CGAL_add_named_parameter(geodesic_point_spacing_t, geodesic_point_spacing, point_spacing)
 CGAL_add_named_parameter(geodesic_smooth_normals_t, geodesic_smooth_normals, smooth_normals)
+CGAL_add_named_parameter(geodesic_curve_nesting_t, geodesic_curve_nesting, curve_nesting)
 
 CGAL_add_named_parameter(geodesic_face_band_t, geodesic_face_band, face_band_map)
 CGAL_add_named_parameter(geodesic_face_source_t, geodesic_face_source, face_source_map)

@@ -42,6 +42,11 @@ struct Curve_context
   {
     return Geodesic_offset_curve<Surface>(context, distance, tolerance, is_closed, std::forward<Pieces>(pieces));
   }
+
+  static const auto& pieces_of(const Geodesic_offset_curve<Surface>& curve) { return curve.m_pieces; }
+
+  // \throws std::logic_error if the curve was moved from
+  static const Surface& surface_of(const Geodesic_offset_curve<Surface>& curve) { return *curve.context().surface; }
 };
 
 // The surface of an offset curve or of a Voronoi diagram.
