@@ -17,9 +17,9 @@ set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build=$root/build-tests
 packages=(g++ cmake ninja-build libcgal-dev libcgal-demo libboost-program-options-dev libboost-dev libpng-dev zlib1g-dev libeigen3-dev
-          libgmp-dev libmpfr-dev libtbb-dev libopenmesh-dev python3 doxygen)
+          libgmp-dev libmpfr-dev libtbb-dev libopenmesh-dev python3 python3-dev python3-numpy pybind11-dev libboost-mpi-dev doxygen)
 # Readers of the program's files in the tests, and clang-format: large packages, which are installed while the compiler runs.
-packages_of_tests=(python3-vtk9 python3-ezdxf python3-svgelements librsvg2-bin clang-format)
+packages_of_tests=(python3-vtk9 python3-ezdxf python3-svgelements python3-matplotlib librsvg2-bin clang-format)
 
 as_root()
 {

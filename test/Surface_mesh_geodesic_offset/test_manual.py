@@ -210,7 +210,7 @@ def main(doxyfile, source):
             check(title in contents(os.path.join(directory, "html/index.html")), "the title of " + package)
     check_bibliography(source)
     check_names(os.path.join(source, "README.md"), source)
-    for page in ("comparison", "contributing", "installation", "limits", "programs", "recipes"):
+    for page in ("comparison", "contributing", "installation", "limits", "programs", "python", "recipes"):
         check_names(os.path.join(source, "doc/Surface_mesh_geodesic_offset/%s.md" % page), source)
     check_example(source)
     print("%d checks, %d failures" % (checks, failures))

@@ -19,7 +19,7 @@ def read(name):
 def test_options(bench):
     """The options of --help are the options of the tables."""
     page = read(PAGE)
-    tables = page[page.index("## geodesic_offset"):page.index("## validate_geodesic_distances")]
+    tables = page[page.index("## geodesic_offset"):page.index("## geodesic_distance_matrix")]
     described = set(re.findall(r"--[a-z-]+", "\n".join(re.findall(r"^\| (`-.*?) \|", tables, re.MULTILINE))))
     listed = set(re.findall(r"^ *(--[a-z-]+)", bench.start("--help").stdout, re.MULTILINE))
     check(len(listed) > 20 and described == listed, "not on the page: %s, not in --help: %s"

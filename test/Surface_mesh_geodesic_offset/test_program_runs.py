@@ -65,7 +65,7 @@ def command_of_file(name):
 class Runs:
     def __init__(self, program, folder):
         self.programs = {name: os.path.join(os.path.dirname(os.path.abspath(program)), name) for name in
-                         ("geodesic_offset", "validate_geodesic_distances", "validate_geodesic_offsets")}
+                         ("geodesic_offset", "geodesic_distance_matrix", "validate_geodesic_distances", "validate_geodesic_offsets")}
         self.folder, self.cases, self.names = folder, 0, {}
 
     def path(self, name):

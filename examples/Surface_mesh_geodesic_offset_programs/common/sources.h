@@ -164,7 +164,11 @@ public:
     const auto start = [&] { return CGAL::parameters::start_value(m_start_values[number++]); };
     for(Vertex v : m_vertices) geodesic.add_source_point(v, start());
     for(const Face_location& location : m_points) geodesic.add_source_point(location, start());
-    for(const Surface_polyline& polyline : m_polylines) geodesic.add_source_polyline(polyline, start());
+    for(const Surface_polyline& polyline : m_polylines)
+      if(const auto value = start(); polyline.start_values.empty())
+        geodesic.add_source_polyline(polyline, value);
+      else
+        geodesic.add_source_polyline(polyline);
     for(const std::vector<Edge>& cycle : m_boundary_cycles) geodesic.add_source_edges(cycle, start());
     for(const std::vector<Edge>& edges : m_edges) geodesic.add_source_edges(edges, start());
   }

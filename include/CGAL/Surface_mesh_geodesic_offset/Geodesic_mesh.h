@@ -332,7 +332,7 @@ public:
     const std::size_t n = locations.size() + (is_closed && repeats_first ? 1 : 0);
     std::vector<FT> starts = Geodesic_offset::internal::start_values_of<FT>(np, n);
     if (starts.empty()) return {join_polyline(locations, parameters::is_closed(is_closed)), largest};
-    starts.resize(locations.size());
+    Geodesic_offset::internal::drop_repeated_start_value(starts, locations.size());
     return {join_polyline(locations, parameters::is_closed(is_closed).start_values(std::cref(starts))), largest};
   }
 
@@ -361,17 +361,19 @@ public:
       data().classified(given_locations.back()); // throws if it is not valid
       points.push_back(surface.point(given_locations.back()));
     }
-    const std::vector<FT> given_starts = Geodesic_offset::internal::start_values_of<FT>(np, given_locations.size());
+    std::vector<FT> given_starts = Geodesic_offset::internal::start_values_of<FT>(np, given_locations.size());
     const bool repeats_first = polyline_closing(points) == Polyline_closing::CLOSED;
     const bool is_closed = Geodesic_offset::internal::is_closed_of(np, repeats_first);
     if (is_closed && repeats_first) given_locations.pop_back();
+    Geodesic_offset::internal::drop_repeated_start_value(given_starts, given_locations.size());
     std::optional<Located_point> last;
     std::size_t i = 0;
     const auto add = [&](const Face_location& given) {
       auto& path = polyline.locations;
       const Located_point p = data().classified(given);
       const Face_location l = snapped(given, p);
-      if (last && surface.point(path.back()) == surface.point(l)) return;
+      const bool jumps = last && !given_starts.empty() && given_starts[i] != polyline.start_values.back();
+      if (last && !jumps && surface.point(path.back()) == surface.point(l)) return;
       passed.clear();
       if (last && !joining.join(*last, p, passed))
         throw std::invalid_argument("Surface_mesh_geodesic_offset: there is no path on the surface to point " +

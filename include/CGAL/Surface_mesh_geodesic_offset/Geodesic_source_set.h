@@ -154,7 +154,10 @@ public:
     const bool repeats_first = points.size() > 3 && points.front() == points.back();
     const bool is_closed = internal::is_closed_of(np, repeats_first);
     if (is_closed && repeats_first) points.pop_back();
-    if (!start_values.empty()) start_values.resize(points.size());
+    internal::drop_repeated_start_value(start_values, points.size());
+    if constexpr (internal::has_parameter<internal_np::geodesic_start_value_t, NamedParameters>)
+      if (!start_values.empty())
+        throw std::invalid_argument("Surface_mesh_geodesic_offset: a polyline with start_value and start_values");
     return add({is_closed ? Kind::CLOSED_POLYLINE : Kind::OPEN_POLYLINE,
                 boost::graph_traits<TriangleMesh>::null_vertex(),
                 std::move(points),

@@ -258,8 +258,8 @@ bool Geodesic_build<Traits>::is_final(const Front& front, const Surface_point<FT
 {
   if (p.kind == Surface_point<FT>::VERTEX)
   {
-    bool result = false;
-    m_mesh.for_each_copy(p.element, [&](Index v) { result |= field.distance[v] <= distance; });
+    bool result = field.distance[p.element] <= distance;
+    if (p.is_any_copy) m_mesh.for_each_copy(p.element, [&](Index v) { result |= field.distance[v] <= distance; });
     return result;
   }
   return front.largest_distance(p.kind == Surface_point<FT>::EDGE ? m_mesh.face(p.element) : p.element) <= distance;

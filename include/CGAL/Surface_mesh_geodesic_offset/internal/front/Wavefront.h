@@ -51,7 +51,12 @@ std::vector<Index> merging_groups(const Unfolded_mesh<FT>& mesh, const Initial_w
     std::adjacent_find(group.begin(), group.end(), [](Index a, Index b) { return a != b; }) != group.end();
   const bool has_segments =
     std::any_of(initial.primitives.begin(), initial.primitives.end(), [](const auto& p) { return p.is_segment; });
-  if (!has_two_sources || !has_segments) return group;
+  const auto separate_varying =
+    [&] { // between segments with different slopes of start values, the distance has a ridge or a valley
+      for (std::size_t i = 0; i < n; ++i)
+        if (initial.primitives[i].varies) group[i] = Index(no_index - 1 - i);
+    };
+  if (!has_two_sources || !has_segments) return separate_varying(), group;
   const double longest = CGAL::to_double(mesh.longest_edge()) * double(mesh.number_of_faces() + 1);
   double latest = 0;
   for (std::size_t i = 0; i < n; ++i)
@@ -71,7 +76,7 @@ std::vector<Index> merging_groups(const Unfolded_mesh<FT>& mesh, const Initial_w
   const Index sources = *std::max_element(group.begin(), group.end()) + 1;
   for (std::size_t i = 0; i < n; ++i)
     if (initial.primitives[i].is_segment && source_at[ends[i]] == no_index) group[i] = sources + Index(i);
-  return group;
+  return separate_varying(), group;
 }
 
 template <class Traits, class Concurrency_tag>
@@ -181,7 +186,9 @@ private:
   {
     CGAL_precondition(Traits::may_keep_windows || !keep_lists);
     if constexpr (Traits::may_keep_windows)
-      if (keep_lists) return merging_groups(mesh, initial);
+      if (keep_lists ||
+          std::any_of(initial.primitives.begin(), initial.primitives.end(), [](const auto& p) { return p.varies; }))
+        return merging_groups(mesh, initial);
     return initial.source_of;
   }
 

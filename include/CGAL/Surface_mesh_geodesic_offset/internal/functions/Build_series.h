@@ -100,7 +100,11 @@ public:
   {
     for (std::size_t k = 0; k < m_targets.size(); ++k)
       if (m_targets[k].kind == Surface_point<Number>::VERTEX)
-        mesh.unfolded().for_each_copy(m_targets[k].element, [&](Index v) { m_at_vertices.emplace_back(v, k); });
+      {
+        if (m_targets[k].is_any_copy)
+          mesh.unfolded().for_each_copy(m_targets[k].element, [&](Index v) { m_at_vertices.emplace_back(v, k); });
+        else m_at_vertices.emplace_back(m_targets[k].element, k);
+      }
       else m_elsewhere.push_back(k);
     std::sort(m_at_vertices.begin(), m_at_vertices.end());
   }

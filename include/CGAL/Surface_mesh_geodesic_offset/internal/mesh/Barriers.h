@@ -128,36 +128,61 @@ public:
   }
 
 private:
-  // Gives the corners of each sector but the first one of a vertex to a copy.
+  // Gives the corners of each sector of a vertex to a copy, but the first one. Fans of a pinched vertex that no barrier divides, or
+  // that a barrier only enters, remain one point.
   void separate_sectors(All_face_links& links, const Index_pairs& corners)
   {
     std::vector<std::pair<Index, Index>> copy_of; // of a corner
     for (auto i = corners.begin(); i != corners.end();)
     {
       const Index v = i->first;
-      std::vector<Index> seen; // corners
+      std::vector<std::vector<Index>> sectors; // corners
+      bool has_whole_fan = false;
+      std::vector<Index> seen;
       for (; i != corners.end() && i->first == v; ++i)
       {
         if (std::find(seen.begin(), seen.end(), i->second) != seen.end()) continue;
-        const bool is_first = seen.empty();
+        const std::vector<Index> sector = sector_of(links, v, i->second);
+        seen.insert(seen.end(), sector.begin(), sector.end());
+        if (is_whole_fan(sector)) has_whole_fan = true;
+        else sectors.push_back(sector);
+      }
+      for (std::size_t k = has_whole_fan ? 0 : 1; k < sectors.size(); ++k)
+      {
         const Index copy = Index(m_vertices_end + m_copied.size());
-        if (!is_first) m_copied.push_back(v);
-        std::size_t next = seen.size();
-        for (seen.push_back(i->second); next < seen.size(); ++next)
-        {
-          if (!is_first) copy_of.emplace_back(seen[next], copy);
-          const Face_links& l = links[seen[next] / 3];
-          const Index k = seen[next] % 3;
-          for (const Index g : {l.beyond[k], l.beyond[(k + 2) % 3]})
-          {
-            if (g == no_index) continue;
-            const Index corner = 3 * g + links[g].halfedge_from(v);
-            if (std::find(seen.begin(), seen.end(), corner) == seen.end()) seen.push_back(corner);
-          }
-        }
+        m_copied.push_back(v);
+        for (const Index c : sectors[k]) copy_of.emplace_back(c, copy);
       }
     }
     for (const auto& c : copy_of) links[c.first / 3].source[c.first % 3] = c.second;
+  }
+
+  // The corners of the vertex v that links connect with a corner.
+  static std::vector<Index> sector_of(const All_face_links& links, Index v, Index corner)
+  {
+    std::vector<Index> sector{corner};
+    for (std::size_t next = 0; next < sector.size(); ++next)
+    {
+      const Face_links& l = links[sector[next] / 3];
+      const Index k = sector[next] % 3;
+      for (const Index g : {l.beyond[k], l.beyond[(k + 2) % 3]})
+      {
+        if (g == no_index) continue;
+        const Index c = 3 * g + links[g].halfedge_from(v);
+        if (std::find(sector.begin(), sector.end(), c) == sector.end()) sector.push_back(c);
+      }
+    }
+    return sector;
+  }
+
+  // True if no barrier bounds a sector, or the same one on both sides.
+  bool is_whole_fan(const std::vector<Index>& sector) const
+  {
+    std::vector<Index> barriers;
+    for (const Index c : sector)
+      for (const Index h : {c, c - c % 3 + (c % 3 + 2) % 3})
+        if (across(h) != no_index) barriers.push_back((std::min)(h, across(h)));
+    return barriers.empty() || (barriers.size() == 2 && barriers[0] == barriers[1]);
   }
 
   std::size_t m_vertices_end = 0;

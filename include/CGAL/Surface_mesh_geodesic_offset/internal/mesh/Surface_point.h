@@ -29,6 +29,7 @@ struct Surface_point
   enum Kind : unsigned char { VERTEX, EDGE, FACE };
 
   Kind kind = FACE;
+  bool is_any_copy = false; // VERTEX: on a barrier, the nearest of all its copies
   Index element = no_index; // vertex, halfedge or face
   FT x = FT(0), y = FT(0);  // EDGE: x along the halfedge; FACE: in the face frame
 

@@ -148,6 +148,17 @@ std::vector<FT> start_values_of([[maybe_unused]] const NamedParameters& np, [[ma
   return values;
 }
 
+// Drops the start value of a last point that repeats the first one, if there is one more than points.
+// \throws std::invalid_argument if it differs from the first one
+template <class FT>
+void drop_repeated_start_value(std::vector<FT>& values, std::size_t number_of_points)
+{
+  if (values.size() != number_of_points + 1) return;
+  if (values.back() != values.front())
+    throw std::invalid_argument("Surface_mesh_geodesic_offset: the ends of a closed polyline have different start values");
+  values.pop_back();
+}
+
 // True if the last point of a polyline is joined to the first one. `otherwise`: without the parameter.
 template <class NamedParameters>
 bool is_closed_of(const NamedParameters& np, bool otherwise)

@@ -17,6 +17,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Geodesic_offset::internal {
@@ -37,7 +38,8 @@ public:
     const std::size_t n = points.size();
     if (n == 0) return;
     std::vector<Segment> segments;
-    FT left_out(0); // length of the degenerate segments since the last segment
+    FT left_out(0);          // length of the degenerate segments since the last segment
+    std::optional<FT> least; // start value of the points that these make one
     for (std::size_t i = 0; i + 1 < n + (closed ? 1 : 0); ++i)
     {
       Segment s;
@@ -47,15 +49,25 @@ public:
       if (make_segment(p, q, i, left_out, s))
       {
         set_slope(s, i);
+        s.start_before = std::exchange(least, std::nullopt);
         segments.push_back(s);
+        continue;
       }
-      else m_out.add_primitive({source, s.part, true}, {p, q}); // sends no rays, but certified bounds count it
+      if (s.starts)
+      {
+        const FT start = (std::min)(s.starts->first, s.starts->second);
+        m_out.set_start_value(start);
+        least = least ? (std::min)(*least, start) : start;
+      }
+      m_out.add_primitive({source, s.part, true}, {p, q}); // sends no rays, but certified bounds count it
     }
     if (segments.empty() || (closed && segments.size() == 1)) // a single segment is as short as those that lead back
     {
+      if (!start_values.empty()) m_out.set_start_value(*std::min_element(start_values.begin(), start_values.end()));
       m_out.add_point(source, points.front());
       return;
     }
+    if (closed && least) segments.front().start_before = (std::min)(segments.front().start_before.value_or(*least), *least);
     straighten(segments, closed);
     for (const Segment& s : segments)
     {
@@ -68,7 +80,7 @@ public:
     if (!closed)
     {
       add_corner(source, segments.front().first, nullptr, &segments.front(), 0);
-      add_corner(source, segments.back().second, &segments.back(), nullptr, Index(n - 1));
+      add_corner(source, segments.back().second, &segments.back(), nullptr, Index(n - 1), least);
     }
     for (std::size_t i = closed ? 0 : 1; i < m; ++i)
       add_corner(source, segments[i].first, &segments[(i + m - 1) % m], &segments[i], segments[i].part);
@@ -117,6 +129,7 @@ private:
     FT uncertainty;                               // of the direction, an angle
     bool is_short;                                // see Source_primitive
     std::optional<std::pair<FT, FT>> starts = {}; // start values of the ends, if those of the polyline may differ
+    std::optional<FT> start_before = {};          // start value of the points before it that are one with its first one
     bool varies = false;                          // they differ
     bool is_silent = false;                       // they differ by the length or more: paths to one end are nowhere longer
   };
@@ -324,9 +337,18 @@ private:
   }
 
   // Adds the rays from the end of a segment, where another one may start. On a barrier, each side has its own.
-  void add_corner(Index source, const Surface_point_& point, const Segment* in, const Segment* out, Index part)
+  // start_behind: of points behind the last segment that are one with its end.
+  void add_corner(Index source, const Surface_point_& point, const Segment* in, const Segment* out, Index part,
+                  const std::optional<FT>& start_behind = std::nullopt)
   {
-    if (const Segment* const s = in ? in : out; s->starts) m_out.set_start_value(in ? s->starts->second : s->starts->first);
+    std::optional<FT> start = start_behind;
+    const auto take = [&](const std::optional<FT>& s) {
+      if (s) start = start ? (std::min)(*start, *s) : *s;
+    };
+    if (in && in->starts) take(in->starts->second);
+    if (out && out->starts) take(out->starts->first);
+    if (out) take(out->start_before);
+    if (start) m_out.set_start_value(*start);
     if (in && in->is_silent) in = nullptr;
     if (out && out->is_silent) out = nullptr;
     for_each_side(m_mesh, point, [&](const Surface_point_& p) {
@@ -412,8 +434,10 @@ private:
     });
     if (in.varies || out.varies)
     { // in all directions, as at a vertex
-      m_out.add_flat_sector(p, &u_out, &u_in, left);
-      m_out.add_flat_sector(p, &u_in, &u_out, right);
+      const bool folds_back = CGAL::is_positive(dot(u_in, u_out));
+      const Point ahead = folds_back ? FT(-1) * u_out : u_in;
+      m_out.add_flat_sector(p, &u_out, &ahead, left);
+      m_out.add_flat_sector(p, &ahead, &u_out, folds_back ? left : right);
       return;
     }
     // u_in points backward along the incoming segment; on a straight polyline u_in and u_out are opposite.

@@ -91,7 +91,12 @@ struct Geodesic_mesh_data
   }
 
   // \throws std::invalid_argument if the vertex is null, removed or of another mesh
-  Located_point classified(vertex_descriptor v) const { return Surface_point::at_vertex(surface().checked_index_of(v)); }
+  Located_point classified(vertex_descriptor v) const
+  {
+    Surface_point p = Surface_point::at_vertex(surface().checked_index_of(v));
+    p.is_any_copy = true;
+    return p;
+  }
 
   // Coordinates of another number type are converted.
   template <class Coordinate>

@@ -45,6 +45,7 @@ public:
     struct Entry
     {
       double start_value;
+      bool varies;
       Index smallest; // id
     };
     std::map<std::pair<Index, Index>, std::vector<Entry>> entries; // by the numbers of the ends
@@ -55,9 +56,12 @@ public:
                   second = initial.primitives[i].is_segment ? places.number_of(initial.places[i].second) : first;
       std::vector<Entry>& known = entries[std::minmax(first, second)];
       const double start = CGAL::to_double(initial.start_values.of(Source_ref(Index(i), Source_side::NONE)));
-      auto entry =
-        std::find_if(known.begin(), known.end(), [&](const Entry& e) { return CGAL::abs(e.start_value - start) <= tolerance; });
-      if (entry == known.end()) entry = known.insert(entry, {start, initial.source_of[i]});
+      // a segment along which start values vary is one with no other
+      const bool varies = initial.primitives[i].varies;
+      auto entry = std::find_if(known.begin(), known.end(), [&](const Entry& e) {
+        return !varies && !e.varies && CGAL::abs(e.start_value - start) <= tolerance;
+      });
+      if (entry == known.end()) entry = known.insert(known.end(), {start, varies, initial.source_of[i]});
       entry->smallest = (std::min)(entry->smallest, initial.source_of[i]);
       entry_of.emplace_back(&known, std::size_t(entry - known.begin()));
     }
