@@ -14,6 +14,8 @@
 #include <CGAL/Surface_mesh_geodesic_offset/split_along_offset_curves.h>
 #include <CGAL/Surface_mesh_geodesic_offset/split_along_polylines.h>
 
+#include <boost/property_map/function_property_map.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -785,13 +787,70 @@ void wall()
                values(area[0], area[1]));
 }
 
+// A target in the far sector of a vertex on a slit, and a barrier that ends at a pinched vertex.
+void sectors()
+{
+  const std::size_t n = 4;
+  const Generated_mesh<Surface_mesh> data(planar_grid(n, n));
+  const auto vertex = [&](std::size_t x, std::size_t y) { return data.vertices[y * (n + 1) + x]; };
+  std::vector<char> is_barrier(data.mesh.number_of_edges(), 0);
+  for (std::size_t y = 0; y < 3; ++y) is_barrier[data.mesh.edge(data.mesh.halfedge(vertex(2, y), vertex(2, y + 1))).idx()] = 1;
+  const auto barriers = boost::make_function_property_map<Surface_mesh::Edge_index>([&](Surface_mesh::Edge_index e) {
+    return is_barrier[e.idx()] != 0;
+  });
+  Geodesic geodesic(data.mesh, CGAL::parameters::edge_is_constrained_map(barriers));
+  geodesic.add_source_point(vertex(1, 1));
+  const Mesh_locations locations(data.mesh);
+  const std::vector<Face_location> far = {locations.on_edge(data.mesh.halfedge(vertex(2, 2), vertex(3, 2)), 0)};
+  const double around = std::sqrt(5.) + 1, near = std::sqrt(2.);
+  geodesic.build(CGAL::parameters::targets(far).keep_windows(true));
+  CHECK(std::abs(geodesic.distance_to_sources(far[0]) - around) <= 1e-12);
+  CHECK(std::abs(geodesic.distance_to_sources(vertex(2, 2)) - near) <= 1e-12);
+  geodesic.build(CGAL::parameters::targets(std::vector<Vertex_index>{vertex(2, 2)}));
+  CHECK(std::abs(geodesic.distance_to_sources(vertex(2, 2)) - near) <= 1e-12 && geodesic.field().covered_distance() < around);
+  const std::vector<Vertex_index> sources = {vertex(1, 1)};
+  CGAL::geodesic_distance_matrix(geodesic.mesh(), sources, far, [&](std::size_t, const std::vector<double>& row) {
+    CHECK(std::abs(row[0] - around) <= 1e-12);
+  });
+
+  Surface_mesh fans;
+  const Vertex_index center = fans.add_vertex(Point_3(0, 0, 0));
+  std::vector<Vertex_index> rim[2];
+  for (const int k : {0, 1})
+  {
+    const Vertex_index own = fans.add_vertex(Point_3(0, 0, 0));
+    for (int i = 0; i < 6; ++i)
+      rim[k].push_back(fans.add_vertex(Point_3(std::cos(i * CGAL_PI / 3), std::sin(i * CGAL_PI / 3), k == 0 ? 1 : -1)));
+    for (std::size_t i = 0; i < 6; ++i) fans.add_face(own, rim[k][i], rim[k][(i + 1) % 6]);
+    for (const auto h : CGAL::halfedges_around_target(fans.halfedge(own), fans)) fans.set_target(h, center);
+    fans.set_halfedge(center, fans.halfedge(own));
+    fans.remove_vertex(own);
+  }
+  const auto spoke = [&](std::size_t i) { return fans.edge(fans.halfedge(rim[0][i], center)); };
+  for (const std::size_t number : {0, 1, 2})
+  {
+    const auto walls = boost::make_function_property_map<Surface_mesh::Edge_index>([&](Surface_mesh::Edge_index e) {
+      return (number > 0 && e == spoke(0)) || (number > 1 && e == spoke(3));
+    });
+    Geodesic pinched(fans, CGAL::parameters::edge_is_constrained_map(walls));
+    pinched.add_source_point(rim[1][1]);
+    pinched.build();
+    const double through = 2 * std::sqrt(2.);
+    CHECK(std::abs(pinched.distance_to_sources(rim[1][4]) - through) < 1); // in its own fan
+    for (const std::size_t i : {1, 4})
+      CHECK(number == 2 ? std::isinf(pinched.distance_to_sources(rim[0][i]))
+                        : std::abs(pinched.distance_to_sources(rim[0][i]) - through) <= 1e-12);
+  }
+}
+
 } // namespace test_barriers
 
 GEODESIC_OFFSET_TEST(test_barriers)
 {
   const std::pair<const char*, void (*)()> tests[] = {
-    {"cut open", test_barriers::cut_open}, {"diagrams", test_barriers::diagrams},
-    {"plates", test_barriers::plates},     {"slits in faces", test_barriers::slits_in_faces},
-    {"wall", test_barriers::wall},         {data_case, test_barriers::data_meshes}};
+    {"cut open", test_barriers::cut_open},  {"diagrams", test_barriers::diagrams},
+    {"plates", test_barriers::plates},      {"slits in faces", test_barriers::slits_in_faces},
+    {"wall", test_barriers::wall},          {"sectors", test_barriers::sectors},
+    {data_case, test_barriers::data_meshes}};
   return run_tests("test_barriers", tests);
 }

@@ -400,7 +400,7 @@ void local_cost()
   for (const double limit : {0.02, 3., 0.02, 0.2, 0.02})
   {
     Sources sources;
-    sources.insert(0, {Sources::POINT, {internal::Surface_point<double>::at_vertex(55)}, {}, 0});
+    sources.insert(0, {Sources::POINT, {internal::Surface_point<double>::at_vertex(55)}, {}, 0., {}});
     internal::Build_request<double> request;
     request.maximum = limit;
     const auto& field = (series.build(sources, request), series.last().field);

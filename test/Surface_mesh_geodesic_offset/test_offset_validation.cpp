@@ -39,7 +39,8 @@ std::shared_ptr<const Surface> new_surface(const test::Surface_mesh& mesh)
   CGAL::Geodesic_offset::internal::Single_worker alone;
   return std::make_shared<Surface>(mesh, CGAL::get_initialized_vertex_index_map(mesh),
                                    CGAL::get_initialized_face_index_map(mesh), get(CGAL::vertex_point, mesh),
-                                   CGAL::Geodesic_offset::internal::No_lengths(), typename Surface::Traits(), alone);
+                                   CGAL::Geodesic_offset::internal::No_lengths(),
+                                   CGAL::Geodesic_offset::internal::No_barriers(), typename Surface::Traits(), alone);
 }
 
 template <class Curve>

@@ -395,6 +395,117 @@ void varying_values()
   }
 }
 
+// The least of s + |p - q| over the points q of polylines on which the start value s is linear; points may be repeated.
+double least_over(const Varying_polyline& polyline, const Point_3& p)
+{
+  double least = infinity;
+  for (std::size_t i = 0; i < polyline.points.size(); ++i)
+    least = (std::min)(least, polyline.starts[i] + test::distance(polyline.points[i], p));
+  for (std::size_t i = 0; i < polyline.number_of_segments(); ++i)
+    if (polyline.points[i] != polyline.points[(i + 1) % polyline.points.size()])
+      least = (std::min)(least, polyline.distance(p, i).first);
+  return least;
+}
+
+// Values that jump at a repeated point, polylines as short as a point, and folds inside an edge; also within a tolerance.
+void jumps_and_folds()
+{
+  const std::size_t n = 4;
+  const Generated_mesh<Surface_mesh> data(planar_grid(n, n));
+  const Mesh_locations locations(data.mesh);
+  const auto on_edge = [&](double t) { // from (1, 2) to (2, 2)
+    return locations.on_edge(data.mesh.halfedge(data.vertices[2 * (n + 1) + 1], data.vertices[2 * (n + 1) + 2]), t);
+  };
+  const std::vector<std::pair<std::vector<double>, std::vector<double>>> cases = {
+    {{0}, {5}},
+    {{0, 0}, {5, 1}},
+    {{0, 0}, {1, 5}},
+    {{0, 0, 1}, {0, 4, 4.5}},
+    {{0, 0, 1}, {4, 0, 0.5}},
+    {{0, 1, 1}, {4, 4.5, 2}},
+    {{0, 1, 1, 0.5}, {1, 1.5, 0, 0.2}},
+    {{0.2, 0.8, 0.3}, {0.5, 0, 0.4}},
+    {{0.2, 0.8, 0.3}, {0.5, 0.1, 0.1}},
+    {{0.2, 0.8, 0.3}, {0.1, 0.1, 0.5}},
+    {{0, 0.4, 0.7, 1}, {1, 1.1, 1.2, 1.1}}};
+  Random random(1);
+  for (const auto& [places, starts] : cases)
+    for (const double tolerance : {0., 1e-4, 1e-2})
+    {
+      Report::instance().set_context("jumps and folds, case " + std::to_string(&places - &cases[0].first) + ", tolerance " +
+                                     std::to_string(tolerance));
+      Varying_polyline polyline{{}, starts, false};
+      Path_locations path;
+      for (const double t : places)
+      {
+        path.push_back(on_edge(t));
+        polyline.points.push_back(locations.point(path.back()));
+      }
+      Geodesic geodesic(data.mesh);
+      geodesic.add_source_polyline(path, CGAL::parameters::is_closed(false).start_values(starts));
+      geodesic.build(CGAL::parameters::keep_windows(true).relative_tolerance(tolerance));
+      for (std::size_t i = 0; i < 60; ++i)
+      {
+        const Face_location l = i < 20 ? on_edge(uniform(random)) : random_location(locations, data.mesh, random, i % 3);
+        const double d = geodesic.distance_to_sources(l), e = least_over(polyline, locations.point(l));
+        CHECK_DETAIL(d <= e + 1e-12 * (1 + e) && d >= e * (1 - tolerance) - 1e-12, values(d, e));
+      }
+    }
+}
+
+// Sources on the same segment whose values vary differently have cells of their own.
+void cells_of_varying_values()
+{
+  const std::size_t n = 4;
+  const Generated_mesh<Surface_mesh> data(planar_grid(n, n));
+  const Mesh_locations locations(data.mesh);
+  const Vertex_index a = data.vertices[2 * (n + 1) + 2], b = data.vertices[n + 2 + 1];
+  const std::vector<Face_location> there = {locations.at_vertex(a, 0), locations.at_vertex(b, 0)};
+  for (const auto& other : {std::vector<double>{0.2, 0.2}, std::vector<double>{0.5, 0}})
+  {
+    const std::vector<double> starts = {0, 0.5};
+    Geodesic geodesic(data.mesh);
+    geodesic.add_source_polyline(there, CGAL::parameters::is_closed(false).start_values(starts));
+    geodesic.add_source_polyline(there, CGAL::parameters::is_closed(false).start_values(other));
+    const auto field = geodesic.build(CGAL::parameters::keep_windows(true));
+    const auto diagram = field.voronoi_diagram();
+    const std::vector<Point_3> points = {data.mesh.point(a), data.mesh.point(b)};
+    const Varying_polyline first{points, starts, false}, second{points, other, false};
+    Random random(2);
+    for (std::size_t i = 0; i < 200; ++i)
+    {
+      const Face_location l = random_location(locations, data.mesh, random, 0);
+      const double d = first.distance(locations.point(l)), e = second.distance(locations.point(l));
+      if (std::abs(d - e) > 1e-6) CHECK(diagram.source_at(l) == (d < e ? 0u : 1u));
+    }
+  }
+}
+
+void bad_varying_values()
+{
+  const Generated_mesh<Surface_mesh> data(planar_grid(2, 2));
+  const Mesh_locations locations(data.mesh);
+  const std::vector<Face_location> edge = {locations.at_vertex(data.vertices[0], 0), locations.at_vertex(data.vertices[1], 0)};
+  const std::vector<Face_location> diagonal = {locations.at_vertex(data.vertices[1], 0),
+                                               locations.on_edge(data.mesh.halfedge(data.vertices[0], data.vertices[4]), 0.5)};
+  Geodesic geodesic(data.mesh);
+  const auto np = CGAL::parameters::is_closed(false);
+  CHECK_THROWS(geodesic.add_source_polyline(edge, np.start_values(std::vector<double>{1})), std::invalid_argument);
+  CHECK_THROWS(geodesic.add_source_polyline(edge, np.start_values(std::vector<double>{1, -1})), std::invalid_argument);
+  CHECK_THROWS(geodesic.add_source_polyline(edge, np.start_values(std::vector<double>{1, infinity})), std::invalid_argument);
+  CHECK_THROWS(geodesic.add_source_polyline(edge, np.start_value(1).start_values(std::vector<double>{1, 1})),
+               std::invalid_argument);
+  CHECK_THROWS(geodesic.add_source_polyline(diagonal, np.start_values(std::vector<double>{1, 1.1})), std::invalid_argument);
+  geodesic.add_source_polyline(diagonal, np.start_values(std::vector<double>{1, 1})); // the same values anywhere
+  const std::vector<Point_3> triangle = {Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(1, 1, 0), Point_3(0, 0, 0)};
+  CHECK_THROWS(geodesic.locate_polyline(triangle, CGAL::parameters::start_values(std::vector<double>{1, 1, 1, 2})),
+               std::invalid_argument);
+  CHECK(geodesic.locate_polyline(triangle, CGAL::parameters::start_values(std::vector<double>{1, 2, 1, 1})).is_closed);
+  const std::vector<Point_3> repeated = {Point_3(0, 0, 0), Point_3(0, 0, 0), Point_3(1, 0, 0)};
+  const auto line = geodesic.locate_polyline(repeated, np.start_values(std::vector<double>{4, 0, 0.5}));
+  CHECK(line.start_values.size() == line.locations.size() && line.start_values[0] == 4 && line.start_values[1] == 0);
+}
+
 // On meshes in space: exact distances are never larger than those of points sampled on the segments, whose error falls with the square
 // of their spacing.
 void data_meshes()
@@ -462,9 +573,15 @@ void data_meshes()
 GEODESIC_OFFSET_TEST(test_start_values)
 {
   const std::pair<const char*, void (*)()> tests[] = {
-    {"far apart", test_start_values::far_apart},         {"tolerances", test_start_values::tolerances},
-    {"found sources", test_start_values::found_sources}, {"other number types", test_start_values::other_number_types},
-    {"bad values", test_start_values::bad_values},       {"varying values", test_start_values::varying_values},
+    {"far apart", test_start_values::far_apart},
+    {"tolerances", test_start_values::tolerances},
+    {"found sources", test_start_values::found_sources},
+    {"other number types", test_start_values::other_number_types},
+    {"bad values", test_start_values::bad_values},
+    {"varying values", test_start_values::varying_values},
+    {"jumps and folds", test_start_values::jumps_and_folds},
+    {"cells of varying values", test_start_values::cells_of_varying_values},
+    {"bad varying values", test_start_values::bad_varying_values},
     {data_case, test_start_values::data_meshes}};
   return run_tests("test_start_values", tests);
 }

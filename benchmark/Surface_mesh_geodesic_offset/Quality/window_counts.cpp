@@ -54,11 +54,11 @@ std::size_t size_of_envelope(const Mesh& mesh, std::size_t source)
 {
   internal::Single_worker alone;
   const Surface surface(mesh, get(boost::vertex_index, mesh), get(boost::face_index, mesh), get(boost::vertex_point, mesh),
-                        internal::No_lengths(), Traits(), alone);
+                        internal::No_lengths(), internal::No_barriers(), Traits(), alone);
   const internal::Unfolded_mesh<double>& unfolded = surface.unfolded;
   internal::Source_set<double> sources;
   const Mesh::Vertex_index v(static_cast<Mesh::size_type>(source));
-  sources.insert(0, {sources.POINT, {internal::Surface_point<double>::at_vertex(surface.index_of(v))}, {}});
+  sources.insert(0, {sources.POINT, {internal::Surface_point<double>::at_vertex(surface.index_of(v))}, {}, 0., {}});
   internal::Build_request<double> request;
   request.keeps_windows = true;
   typedef Surface::Computing_traits Computing_traits;

@@ -372,10 +372,10 @@ public:
       auto& path = polyline.locations;
       const Located_point p = data().classified(given);
       const Face_location l = snapped(given, p);
-      const bool jumps = last && !given_starts.empty() && given_starts[i] != polyline.start_values.back();
-      if (last && !jumps && surface.point(path.back()) == surface.point(l)) return;
+      const bool is_repeated = last && surface.point(path.back()) == surface.point(l);
+      if (is_repeated && (given_starts.empty() || given_starts[i] == polyline.start_values.back())) return;
       passed.clear();
-      if (last && !joining.join(*last, p, passed))
+      if (last && !is_repeated && !joining.join(*last, p, passed))
         throw std::invalid_argument("Surface_mesh_geodesic_offset: there is no path on the surface to point " +
                                     std::to_string(i) + " of a polyline from the one before");
       for (const auto& c : passed) path.push_back(surface.location_of_element(c));
