@@ -227,7 +227,8 @@ inline std::vector<Surface_polyline> polylines_with_start_values(const Mesh_inpu
   wanted.have_start_values = true;
   wanted.close_gap = options.close_gap;
   wanted.projection = options.projection;
-  for(const Surface_polyline& p : Sources(input, wanted, mesh).surface_polylines())
+  const Sources sources(input, wanted, mesh);
+  for(const Surface_polyline& p : sources.surface_polylines())
     if(!p.start_values.empty()) result.push_back(p);
   return result;
 }
