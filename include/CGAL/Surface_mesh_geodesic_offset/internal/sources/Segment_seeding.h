@@ -343,7 +343,7 @@ private:
   {
     std::optional<FT> start = start_behind;
     const auto take = [&](const std::optional<FT>& s) {
-      if (s) start = start ? (std::min)(*start, *s) : *s;
+      if (s && (!start || *s < *start)) start = s;
     };
     if (in && in->starts) take(in->starts->second);
     if (out && out->starts) take(out->starts->first);

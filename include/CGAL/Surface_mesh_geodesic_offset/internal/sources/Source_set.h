@@ -30,7 +30,7 @@ public:
     std::vector<Surface_point<FT>> points;
     std::vector<Index> halfedges;
     FT start_value = FT(0);
-    std::vector<FT> start_values; // of the points of a polyline; empty: they are start_value
+    std::vector<FT> start_values{}; // of the points of a polyline; empty: they are start_value
   };
 
   void insert(std::size_t id, Source source) { m_sources.emplace(id, std::move(source)); }
