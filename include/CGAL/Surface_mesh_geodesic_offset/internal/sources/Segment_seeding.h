@@ -121,13 +121,13 @@ private:
   struct Segment
   {
     Surface_point_ first, second;
-    Index face; // contains both ends
-    Point a, b;
-    unsigned edge; // bit of the halfedge that contains both ends, or 0
-    Index part;
-    Point direction;                              // unit vector from a to b
-    FT uncertainty;                               // of the direction, an angle
-    bool is_short;                                // see Source_primitive
+    Index face = no_index; // contains both ends
+    Point a{}, b{};
+    unsigned edge = 0; // bit of the halfedge that contains both ends, or 0
+    Index part = no_index;
+    Point direction{};                            // unit vector from a to b
+    FT uncertainty{};                             // of the direction, an angle
+    bool is_short = false;                        // see Source_primitive
     std::optional<std::pair<FT, FT>> starts = {}; // start values of the ends, if those of the polyline may differ
     std::optional<FT> start_before = {};          // start value of the points before it that are one with its first one
     bool varies = false;                          // they differ
