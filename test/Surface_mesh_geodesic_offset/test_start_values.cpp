@@ -507,7 +507,7 @@ void bad_varying_values()
 }
 
 // On meshes in space: exact distances are never larger than those of points sampled on the segments, whose error falls with the square
-// of their spacing.
+// of their spacing once that is below the distance of the next vertex: 1/4096 from 50 to 3,200, where first order gives 1/64.
 void data_meshes()
 {
   std::size_t number = 0;
@@ -547,7 +547,7 @@ void data_meshes()
     double largest[2] = {0, 0};
     for (const int k : {0, 1})
     {
-      const std::size_t samples = k == 0 ? 50 : 400;
+      const std::size_t samples = k == 0 ? 50 : 3200;
       Geodesic sampled(mesh);
       for (std::size_t i = 0; i < segments.size(); ++i)
         for (std::size_t j = 0; j <= samples; ++j)
@@ -565,7 +565,7 @@ void data_meshes()
         largest[k] = (std::max)(largest[k], e - d);
       }
     }
-    CHECK_DETAIL(largest[0] <= 1e-2 * size && largest[1] <= 0.06 * largest[0] + 1e-11 * size, values(largest[0], largest[1]));
+    CHECK_DETAIL(largest[0] <= 1e-2 * size && largest[1] <= 0.004 * largest[0] + 1e-11 * size, values(largest[0], largest[1]));
   }
 }
 
