@@ -132,18 +132,17 @@ private:
   // that a barrier only enters, remain one point.
   void separate_sectors(All_face_links& links, const Index_pairs& corners)
   {
-    std::vector<std::pair<Index, Index>> copy_of; // of a corner
+    std::vector<std::pair<Index, Index>> copy_of;   // of a corner
+    std::vector<char> is_seen(3 * links.size(), 0); // by corner
     for (auto i = corners.begin(); i != corners.end();)
     {
       const Index v = i->first;
       std::vector<std::vector<Index>> sectors; // corners
       bool has_whole_fan = false;
-      std::vector<Index> seen;
       for (; i != corners.end() && i->first == v; ++i)
       {
-        if (std::find(seen.begin(), seen.end(), i->second) != seen.end()) continue;
-        const std::vector<Index> sector = sector_of(links, v, i->second);
-        seen.insert(seen.end(), sector.begin(), sector.end());
+        if (is_seen[i->second]) continue;
+        const std::vector<Index> sector = sector_of(links, v, i->second, is_seen);
         if (is_whole_fan(sector)) has_whole_fan = true;
         else sectors.push_back(sector);
       }
@@ -157,9 +156,10 @@ private:
     for (const auto& c : copy_of) links[c.first / 3].source[c.first % 3] = c.second;
   }
 
-  // The corners of the vertex v that links connect with a corner.
-  static std::vector<Index> sector_of(const All_face_links& links, Index v, Index corner)
+  // The corners of the vertex v that links connect with a corner. Marks them.
+  static std::vector<Index> sector_of(const All_face_links& links, Index v, Index corner, std::vector<char>& is_seen)
   {
+    is_seen[corner] = 1;
     std::vector<Index> sector{corner};
     for (std::size_t next = 0; next < sector.size(); ++next)
     {
@@ -169,7 +169,7 @@ private:
       {
         if (g == no_index) continue;
         const Index c = 3 * g + links[g].halfedge_from(v);
-        if (std::find(sector.begin(), sector.end(), c) == sector.end()) sector.push_back(c);
+        if (!std::exchange(is_seen[c], char(1))) sector.push_back(c);
       }
     }
     return sector;
