@@ -57,7 +57,7 @@ public:
       {
         const FT start = (std::min)(s.starts->first, s.starts->second);
         m_out.set_start_value(start);
-        least = least ? (std::min)(*least, start) : start;
+        take_least(least, start);
       }
       m_out.add_primitive({source, s.part, true}, {p, q}); // sends no rays, but certified bounds count it
     }
@@ -67,7 +67,7 @@ public:
       m_out.add_point(source, points.front());
       return;
     }
-    if (closed && least) segments.front().start_before = (std::min)(segments.front().start_before.value_or(*least), *least);
+    if (closed && least) take_least(segments.front().start_before, *least);
     straighten(segments, closed);
     for (const Segment& s : segments)
     {
@@ -133,6 +133,11 @@ private:
     bool varies = false;                          // they differ
     bool is_silent = false;                       // they differ by the length or more: paths to one end are nowhere longer
   };
+
+  static void take_least(std::optional<FT>& least, const FT& start)
+  {
+    if (!least || start < *least) least = start;
+  }
 
   // Makes the segment from p, the point with the given number, to q. Returns false for a degenerate segment, which has no
   // direction and no sides: the points are equal, or count as one point of a face or an edge. Throws if they have no face in
@@ -337,17 +342,13 @@ private:
   }
 
   // Adds the rays from the end of a segment, where another one may start. On a barrier, each side has its own.
-  // start_behind: of points behind the last segment that are one with its end.
+  // start: start value of points behind the last segment that are one with its end.
   void add_corner(Index source, const Surface_point_& point, const Segment* in, const Segment* out, Index part,
-                  const std::optional<FT>& start_behind = std::nullopt)
+                  std::optional<FT> start = std::nullopt)
   {
-    std::optional<FT> start = start_behind;
-    const auto take = [&](const std::optional<FT>& s) {
-      if (s && (!start || *s < *start)) start = s;
-    };
-    if (in && in->starts) take(in->starts->second);
-    if (out && out->starts) take(out->starts->first);
-    if (out) take(out->start_before);
+    if (in && in->starts) take_least(start, in->starts->second);
+    if (out && out->starts) take_least(start, out->starts->first);
+    if (out && out->start_before) take_least(start, *out->start_before);
     if (start) m_out.set_start_value(*start);
     if (in && in->is_silent) in = nullptr;
     if (out && out->is_silent) out = nullptr;
