@@ -37,6 +37,13 @@ Space_vector space_vector(const Point_3& p)
   return Space_vector(CGAL::to_double(p.x()) + 0., CGAL::to_double(p.y()) + 0., CGAL::to_double(p.z()) + 0.);
 }
 
+// A vector of length 1, or 0.
+inline Space_vector unit_vector(const Space_vector& v)
+{
+  const double l = length(v);
+  return l > 0 ? space_vector(v / l) : Space_vector(NULL_VECTOR);
+}
+
 // Corners of a face in space, and the frame of the face, see Geodesic_offset_piece.
 struct Face_in_space
 {
@@ -50,7 +57,7 @@ struct Face_in_space
     x = x / length(x);
     normal = area_vector(corners);
     area = length(normal);
-    normal = area > 0 ? space_vector(normal / area) : Space_vector(NULL_VECTOR);
+    normal = unit_vector(normal);
     y = cross_product(normal, x);
   }
 
@@ -89,11 +96,7 @@ struct Piece_in_space : Face_in_space
   }
 
   // Unit direction of travel at a point of the piece; 0 if the piece is a point.
-  Space_vector tangent(const Space_vector& p) const
-  {
-    const Space_vector v = is_arc ? cross_product(normal, p - center) : center;
-    return length(v) > 0 ? space_vector(v / length(v)) : Space_vector(NULL_VECTOR);
-  }
+  Space_vector tangent(const Space_vector& p) const { return unit_vector(is_arc ? cross_product(normal, p - center) : center); }
 
   // Tolerances for pieces on one circle or line: `same_point` is relative to the coordinates, which have rounding errors of
   // some units in the last place, 1e-16 each; `same_curve` is relative to the radius and the lengths. Windows that crossed k
@@ -185,10 +188,9 @@ private:
   void update(Element_range& r) const
   {
     const Piece_in_space& p = m_pieces[r.reference = r.largest];
-    const double l = length(r.areas);
     r.area_of_update = r.area;
-    r.normal = l > 0 ? space_vector(r.areas / l) : Space_vector(NULL_VECTOR);
-    r.point = l > 0 ? r.moments / r.area : p.start;
+    r.normal = unit_vector(r.areas);
+    r.point = length(r.areas) > 0 ? r.moments / r.area : p.start;
     r.center = p.center - (p.is_arc ? (p.center - r.point) * r.normal : p.center * r.normal) * r.normal;
   }
 
