@@ -65,20 +65,15 @@ public:
   ///     \cgalParamDefault{none: the curves are not known yet, so the parameter is required}
   ///   \cgalParamNEnd
   ///   \cgalParamNBegin{point_spacing}
-  ///     \cgalParamDescription{the largest distance between consecutive points along the curve: the points are those of
-  ///                           `Geodesic_offset_curve::points_at_spacing()`, evenly spaced, whatever the chord tolerance}
-  ///     \cgalParamType{a number type, convertible to `double`; positive}
-  ///     \cgalParamDefault{none: the points depend on the chord tolerance}
+  ///     \cgalParamDescription{as in `write_offset_curves()`}
   ///   \cgalParamNEnd
   ///   \cgalParamNBegin{smooth_normals}
-  ///     \cgalParamDescription{whether normals are those of `Geodesic_offset_curve::smooth_normal()`, interpolated between vertices,
-  ///                           instead of those of faces}
-  ///     \cgalParamType{`bool`}
-  ///     \cgalParamDefault{`false`}
+  ///     \cgalParamDescription{as in `write_offset_curves()`}
   ///   \cgalParamNEnd
   /// \cgalNamedParamsEnd
   ///
-  /// \throws std::invalid_argument unless `supports(format)`, and `chord_tolerance` and `point_spacing` are positive; then nothing has been written
+  /// \throws std::invalid_argument unless `supports(format)`, and `chord_tolerance` and `point_spacing` are positive; then nothing
+  ///         has been written
   template <class NamedParameters>
   Offset_level_writer(std::ostream& os, Offset_file_format format, const NamedParameters& np)
     : m_os(os), m_options(Surface_mesh_geodesic_offset_internal::required_point_options(np))

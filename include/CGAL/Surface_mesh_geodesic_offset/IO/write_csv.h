@@ -89,16 +89,10 @@ Each row is a point of a curve, in order. The columns are
     \cgalParamDefault{that of `write_offset_curves()`}
   \cgalParamNEnd
   \cgalParamNBegin{point_spacing}
-    \cgalParamDescription{the largest distance between consecutive points along the curve: the points are those of
-                          `Geodesic_offset_curve::points_at_spacing()`, evenly spaced, whatever the chord tolerance}
-    \cgalParamType{a number type, convertible to `double`; positive}
-    \cgalParamDefault{none: the points depend on the chord tolerance}
+    \cgalParamDescription{as in `write_offset_curves()`}
   \cgalParamNEnd
   \cgalParamNBegin{smooth_normals}
-    \cgalParamDescription{whether normals are those of `Geodesic_offset_curve::smooth_normal()`, interpolated between vertices,
-                          instead of those of faces}
-    \cgalParamType{`bool`}
-    \cgalParamDefault{`false`}
+    \cgalParamDescription{as in `write_offset_curves()`}
   \cgalParamNEnd
   \cgalParamNBegin{curve_nesting}
     \cgalParamDescription{as in `write_offset_curves()`}

@@ -79,10 +79,7 @@ range. A closed line ends with the index of its first point.
     \cgalParamDefault{that of `write_offset_curves()`}
   \cgalParamNEnd
   \cgalParamNBegin{point_spacing}
-    \cgalParamDescription{the largest distance between consecutive points along the curve: the points are those of
-                          `Geodesic_offset_curve::points_at_spacing()`, evenly spaced, whatever the chord tolerance}
-    \cgalParamType{a number type, convertible to `double`; positive}
-    \cgalParamDefault{none: the points depend on the chord tolerance}
+    \cgalParamDescription{as in `write_offset_curves()`}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 

@@ -93,7 +93,8 @@ private:
   \cgalParamNEnd
   \cgalParamNBegin{point_spacing}
     \cgalParamDescription{the largest distance between consecutive points along the curve: the points are those of
-                          `Geodesic_offset_curve::points_at_spacing()`, evenly spaced, whatever the chord tolerance. The parameter does not affect DXF and SVG files.}
+                          `Geodesic_offset_curve::points_at_spacing()`, evenly spaced, whatever the chord tolerance. The parameter
+                          does not affect DXF and SVG files.}
     \cgalParamType{a number type, convertible to `double`; positive}
     \cgalParamDefault{none: the points depend on the chord tolerance}
   \cgalParamNEnd

@@ -90,8 +90,9 @@ Each curve is one line. A closed line ends with the index of its first point. Th
   and `inner_side`;
 - for points: `source`, `side`, `normal` (the outer unit normal of the face, or the smooth normal), `tangent` (the unit vector in the
   direction of travel), `face` and `barycentric` (the index of the face, and the coordinates in it, as in `write_offset_CSV()`).
-  A point between two pieces has the values of the first piece. Independent of the tolerance, but not with a spacing, all points where source or side change are points of the line, so each
-  segment of a line belongs to one source and one side: those of its end point.
+  A point between two pieces has the values of the first piece. Independent of the tolerance, but not with a spacing, all points
+  where source or side change are points of the line, so each segment of a line belongs to one source and one side: those of its
+  end point.
 
 `distance` is the active array. The arrays for lines serve to select curves, for instance by a threshold, those for points
 to colour the curves.
@@ -108,16 +109,10 @@ to colour the curves.
     \cgalParamDefault{that of `write_offset_curves()`}
   \cgalParamNEnd
   \cgalParamNBegin{point_spacing}
-    \cgalParamDescription{the largest distance between consecutive points along the curve: the points are those of
-                          `Geodesic_offset_curve::points_at_spacing()`, evenly spaced, whatever the chord tolerance}
-    \cgalParamType{a number type, convertible to `double`; positive}
-    \cgalParamDefault{none: the points depend on the chord tolerance}
+    \cgalParamDescription{as in `write_offset_curves()`}
   \cgalParamNEnd
   \cgalParamNBegin{smooth_normals}
-    \cgalParamDescription{whether normals are those of `Geodesic_offset_curve::smooth_normal()`, interpolated between vertices,
-                          instead of those of faces}
-    \cgalParamType{`bool`}
-    \cgalParamDefault{`false`}
+    \cgalParamDescription{as in `write_offset_curves()`}
   \cgalParamNEnd
   \cgalParamNBegin{curve_nesting}
     \cgalParamDescription{as in `write_offset_curves()`}
