@@ -9,7 +9,10 @@
 #include "geodesic_types.h"
 #include "test_check.h"
 
+#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <string>
 #include <tuple>
@@ -45,6 +48,22 @@ Offset_curves offsets(const Geodesic& geodesic, const Levels& levels, const Offs
   Offset_curves result;
   geodesic.offset_curves(levels, std::back_inserter(result), selection.parameters());
   return result;
+}
+
+inline Surface_mesh mesh_of(const Soup& soup)
+{
+  Surface_mesh mesh;
+  CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh(soup.points, soup.triangles, mesh);
+  return mesh;
+}
+
+/// The largest coordinate.
+inline double size_of(const Surface_mesh& mesh)
+{
+  double size = 0;
+  for (const auto v : mesh.vertices())
+    for (int i = 0; i < 3; ++i) size = (std::max)(size, std::abs(mesh.point(v)[i]));
+  return size;
 }
 
 inline double total_length(const Offset_curves& curves)

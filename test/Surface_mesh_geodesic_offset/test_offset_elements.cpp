@@ -7,8 +7,6 @@
 #include "offset_tools.h"
 #include "planar_pieces.h"
 
-#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -25,21 +23,6 @@ namespace test_offset_elements {
 using namespace test;
 
 typedef Offset_curve::Element Element;
-
-Surface_mesh mesh_of(const Soup& soup)
-{
-  Surface_mesh mesh;
-  CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh(soup.points, soup.triangles, mesh);
-  return mesh;
-}
-
-double size_of(const Surface_mesh& mesh)
-{
-  double size = 0;
-  for (const auto v : mesh.vertices())
-    for (int i = 0; i < 3; ++i) size = (std::max)(size, std::abs(mesh.point(v)[i]));
-  return size;
-}
 
 double length(const Vector_3& v) { return std::sqrt(v * v); }
 

@@ -16,7 +16,6 @@
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/locate.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
-#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 
 #include <algorithm>
 #include <cmath>
@@ -36,13 +35,6 @@ namespace PMP = CGAL::Polygon_mesh_processing;
 
 typedef std::vector<CGAL::Offset_curve_nesting> Places;
 constexpr std::size_t no_parent = CGAL::Offset_curve_nesting::no_parent;
-
-Surface_mesh mesh_of(const Soup& soup)
-{
-  Surface_mesh mesh;
-  PMP::polygon_soup_to_polygon_mesh(soup.points, soup.triangles, mesh);
-  return mesh;
-}
 
 /// By curve: those that surround it. Of these, the parent has most around itself.
 typedef std::vector<std::vector<std::size_t>> Surrounding;

@@ -5,11 +5,9 @@
 
 #include "data_meshes.h"
 #include "generated_meshes.h"
-#include "geodesic_types.h"
-#include "test_check.h"
+#include "offset_tools.h"
 #include "thin_polylines.h"
 
-#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Surface_mesh_geodesic_offset/IO/write_dxf.h>
 #include <CGAL/Surface_mesh_geodesic_offset/IO/write_offset_curves.h>
 #include <CGAL/Surface_mesh_geodesic_offset/IO/write_svg.h>
@@ -33,21 +31,6 @@ namespace test_offset_points {
 using namespace test;
 
 typedef std::vector<Geodesic::Offset_curve> Curves;
-
-Surface_mesh mesh_of(const Soup& soup)
-{
-  Surface_mesh mesh;
-  CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh(soup.points, soup.triangles, mesh);
-  return mesh;
-}
-
-double size_of(const Surface_mesh& mesh)
-{
-  double size = 0;
-  for (const auto v : mesh.vertices())
-    for (int i = 0; i < 3; ++i) size = (std::max)(size, std::abs(mesh.point(v)[i]));
-  return size;
-}
 
 // All curves at multiples of a fraction of the largest distance.
 Curves curves_at_levels(const Surface_mesh& mesh, std::size_t levels)

@@ -114,9 +114,7 @@ public:
         geodesic.clear_sources();
         geodesic.add_source_point(v);
         geodesic.build();
-        std::vector<double> row;
-        for (const Vertex_index u : m_all) row.push_back(geodesic.distance_to_sources(u));
-        keep(row);
+        keep(row([&](Vertex_index u) { return geodesic.distance_to_sources(u); }));
       }
     });
 #ifdef CGAL_EIGEN3_ENABLED
@@ -131,15 +129,22 @@ public:
       {
         paths.remove_all_source_points();
         paths.add_source_point(v);
-        std::vector<double> row;
-        for (const Vertex_index u : m_all) row.push_back(paths.shortest_distance_to_source_points(u).first);
-        keep(row);
+        keep(row([&](Vertex_index u) { return paths.shortest_distance_to_source_points(u).first; }));
       }
     });
   }
 
 private:
   static void nothing(const std::vector<double>&) {}
+
+  // A row of the matrix: distance_to(v) for all vertices.
+  template <class Query>
+  std::vector<double> row(const Query& distance_to) const
+  {
+    std::vector<double> result;
+    for (const Vertex_index v : m_all) result.push_back(distance_to(v));
+    return result;
+  }
 
   // Hands the rows of the first sources to `keep`.
   template <class Tag, class Keep>
